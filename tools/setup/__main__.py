@@ -1,0 +1,11 @@
+# SPDX-License-Identifier: MIT
+"""Entry point of ./run."""
+
+import sys
+from pathlib import Path
+
+sys.path[0] = str(Path(__file__).resolve().parent.parent)
+
+from setup.cli import main  # noqa: E402  (the line above makes the package importable)
+
+sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: MIT
+"""Configures and builds the C++ side with the presets of gdextension/CMakePresets.json."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from pathlib import Path
+
+from setup import paths, process, stamps
+from setup.console import Failure, Progress, note, say, tail
+from setup.godot import Godot
+from setup.locks import locked
+
+
+def build(preset: str, godot: Godot | None, settings: Mapping[str, str] | None = None) -> Path:
+    """Brings build/PRESET up to date and returns that folder; quick when nothing changed.
+
+    The engine's own description of its API is asked from `godot`. settings are further CMake variables.
+    """
+    folder = paths.BUILD / preset
+    with locked(paths.BUILD / f"{preset}.lock", f"building {preset}"):
+        _configure(preset, folder, godot, settings or {})
+        _compile(preset, folder)
+    return folder
+
+
+def _configure(preset: str, folder: Path, godot: Godot | None, settings: Mapping[str, str]) -> None:
+    options = [f"-D{name}={value}" for name, value in sorted(settings.items())]
+    if godot:
+        options.append(f"-DGODOT_EXECUTABLE={godot.executable}")
+    presets = (paths.SOURCES / "CMakePresets.json").read_text(encoding="utf-8")
+    wanted = stamps.digest(folder, presets, godot.version if godot else "", *options)
+    stamp = folder / "configured.stamp"
+    if (folder / "build.ninja").exists() and stamps.is_fresh(stamp, wanted):
+        return  # Ninja itself configures again when a CMake file changed
+    say(f"Configuring the build ({preset})")
+    log = paths.LOGS / f"configure-{preset}.log"
+    fresh = ["--fresh"] if (folder / "CMakeCache.txt").exists() else []
+    command = ["cmake", "--preset", preset, *fresh, *options]
+    process.require(command, log, "Configuring the build", cwd=paths.SOURCES)
+    stamps.write(stamp, wanted)
+
+
+def _compile(preset: str, folder: Path) -> None:
+    log = paths.LOGS / f"build-{preset}.log"
+    progress = Progress(f"built ({preset})")
+    announced = False
+
+    def watch(line: str) -> None:
+        nonlocal announced
+        match = re.match(r"\[(\d+)/(\d+)\]", line)
+        if not match:
+            return
+        if not announced:
+            say(f"Building ({preset})")
+            note(f"Details in {log}")
+            announced = True
+        progress.update(int(match.group(1)), int(match.group(2)))
+
+    status = process.run_logged(["cmake", "--build", folder], log, on_line=watch)
+    progress.close()
+    if status != 0:
+        raise Failure(f"The build ({preset}) failed. The end of {log}:\n{tail(log, 60)}")

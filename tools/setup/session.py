@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: MIT
+"""Starting Godot on the project: in the open for the visitor, or quietly for a script that works and ends."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import tempfile
+from pathlib import Path
+
+from setup import display, paths, process
+from setup.console import Failure, tail
+from setup.godot import Godot
+
+RENDERERS = ("mobile", "forward_plus", "gl_compatibility")
+# A script's reasons are the lines that start like this; everything else the engine prints is noise.
+_REASON = ("capture:", "bench:", "SCRIPT ERROR:")
+
+
+def open_project(godot: Godot, arguments: list[str]) -> int:
+    """Starts the project in a window (or the editor) and waits until it is closed."""
+    command = [str(godot.executable), "--path", str(paths.ROOT), *arguments]
+    try:
+        return subprocess.run(command, check=False).returncode
+    except KeyboardInterrupt:
+        return 130
+
+
+def script_command(godot: Godot, script: str, renderer: str, arguments: list[str]) -> list[str]:
+    """The command that runs a script of the project as main loop where it can draw."""
+    return display.on_screen([
+        str(godot.executable), "--path", str(paths.ROOT), "--rendering-method", renderer,
+        "--audio-driver", "Dummy", "-s", script, "--", *arguments,
+    ])
+
+
+def run_script(godot: Godot, script: str, renderer: str, arguments: list[str], timeout_s: float = 3600) -> str:
+    """Runs a script to its end and returns what it and the engine printed; its exit status as a Failure."""
+    paths.LOGS.mkdir(parents=True, exist_ok=True)
+    name = Path(script).stem
+    handle, log_name = tempfile.mkstemp(prefix=f"{name}-{renderer}-", suffix=".log", dir=paths.LOGS)
+    os.close(handle)
+    log = Path(log_name)
+    env = {**os.environ, "BLACKHOLE_CALLER_DIR": os.getcwd()}
+    status = process.run_logged(script_command(godot, script, renderer, arguments), log, env=env, timeout_s=timeout_s)
+    printed = log.read_text(encoding="utf-8", errors="replace")
+    if status != 0:
+        raise Failure(f"{reason(printed) or tail(log)}\n(exit status {status}; all of the output is in {log})", status)
+    log.unlink()
+    return printed
+
+
+def reason(printed: str) -> str:
+    """The lines of a script's output that say why it failed."""
+    return "\n".join(line for line in printed.splitlines() if line.lstrip().startswith(_REASON))
