@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace blackhole {
+
+/// Splits comma-separated text (RFC 4180: quoted fields may hold commas, doubled quotes and line ends; lines
+/// end in LF, CRLF or CR) into records. Blank lines and lines that start with # are passed over, as is a
+/// UTF-8 byte order mark. Blanks round an unquoted field are trimmed.
+class CsvRecords {
+public:
+	explicit CsvRecords(std::string_view p_text);
+
+	/// Reads the next record into fields(); false at the end of the text or on a fault.
+	bool next();
+
+	const std::vector<std::string> &fields() const { return m_fields; }
+	/// The line the current record starts on, counted from 1.
+	std::size_t line() const { return m_record_line; }
+	/// What is wrong with the text, empty when nothing is.
+	const std::string &fault() const { return m_fault; }
+
+private:
+	bool at_line_end() const;
+	void skip_line_end();
+	void skip_idle_lines();
+	bool read_field();
+	bool read_quoted(std::string &r_field);
+
+	std::string_view m_text;
+	std::size_t m_at = 0;
+	std::size_t m_line = 1;
+	std::size_t m_record_line = 0;
+	std::size_t m_count = 0;
+	std::vector<std::string> m_fields;
+	std::string m_fault;
+};
+
+} // namespace blackhole

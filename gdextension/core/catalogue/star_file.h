@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "core/catalogue/star.h"
+#include "core/outcome.h"
+
+namespace blackhole {
+
+/// Reads the .stars format (see README.md in this folder) from memory. p_name is the file's name for
+/// messages. Fails on a wrong magic, version, size or checksum and on values out of range; nothing is
+/// allocated from a count that the size of p_bytes does not bear out.
+Outcome<StarTable> read_star_file(std::span<const std::uint8_t> p_bytes, std::string_view p_name);
+
+/// The bytes of a .stars file with the stars of p_table, brightest first. Angles are rounded to 2^-32 of a
+/// turn (0.3 milliarcseconds).
+std::vector<std::uint8_t> write_star_file(const StarTable &p_table);
+
+} // namespace blackhole
