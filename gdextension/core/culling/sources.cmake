@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+target_sources(blackhole_core PRIVATE ${CMAKE_CURRENT_LIST_DIR}/star_groups.cpp)

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "src/background_layer.h"
+
+#include <godot_cpp/classes/rendering_server.hpp>
+#include <godot_cpp/classes/resource_loader.hpp>
+#include <godot_cpp/variant/aabb.hpp>
+#include <godot_cpp/variant/array.hpp>
+#include <godot_cpp/variant/packed_vector3_array.hpp>
+
+using namespace godot;
+
+namespace {
+
+constexpr int kRenderPriority = -110; // drawn first of all that is transparent
+constexpr float kEverywhere = 1e6F;
+
+/// One triangle that covers the picture, in clip coordinates.
+RID make_screen_mesh(RenderingServer *server) {
+	PackedVector3Array vertices;
+	vertices.push_back(Vector3(-1, -1, 0));
+	vertices.push_back(Vector3(3, -1, 0));
+	vertices.push_back(Vector3(-1, 3, 0));
+	Array arrays;
+	arrays.resize(RenderingServer::ARRAY_MAX);
+	arrays[RenderingServer::ARRAY_VERTEX] = vertices;
+	const RID mesh = server->mesh_create();
+	server->mesh_add_surface_from_arrays(mesh, RenderingServer::PRIMITIVE_TRIANGLES, arrays);
+	return mesh;
+}
+
+} // namespace
+
+void BackgroundLayer::ensure() {
+	if (instance.is_valid()) {
+		return;
+	}
+	RenderingServer *server = RenderingServer::get_singleton();
+	lensed_shader =
+			ResourceLoader::get_singleton()->load("res://addons/blackhole_sky/shaders/background_lensed.gdshader");
+	flat_shader = ResourceLoader::get_singleton()->load("res://addons/blackhole_sky/shaders/background_flat.gdshader");
+	material = server->material_create();
+	server->material_set_render_priority(material, kRenderPriority);
+	quad = make_screen_mesh(server);
+	instance = server->instance_create();
+	server->instance_set_base(instance, quad);
+	server->instance_set_custom_aabb(instance,
+			AABB(Vector3(-kEverywhere, -kEverywhere, -kEverywhere), Vector3(2, 2, 2) * kEverywhere));
+	server->instance_geometry_set_material_override(instance, material);
+	server->instance_geometry_set_cast_shadows_setting(instance, RenderingServer::SHADOW_CASTING_SETTING_OFF);
+	if (scenario.is_valid()) {
+		server->instance_set_scenario(instance, scenario);
+	}
+	show();
+}
+
+void BackgroundLayer::clear() {
+	RenderingServer *server = RenderingServer::get_singleton();
+	if (server == nullptr || !instance.is_valid()) {
+		return;
+	}
+	server->free_rid(instance);
+	server->free_rid(quad);
+	server->free_rid(material);
+	instance = quad = material = RID();
+}
+
+void BackgroundLayer::show() {
+	if (instance.is_valid()) {
+		RenderingServer::get_singleton()->instance_set_visible(instance, layer_shown && source != 0);
+	}
+}
+
+void BackgroundLayer::set_shown(bool shown) {
+	layer_shown = shown;
+	show();
+}
+
+void BackgroundLayer::set_scenario(const RID &p_scenario) {
+	scenario = p_scenario;
+	ensure();
+	RenderingServer::get_singleton()->instance_set_scenario(instance, scenario);
+}
+
+void BackgroundLayer::set_forward_table(const RID &forward_table) {
+	ensure();
+	RenderingServer::get_singleton()->material_set_param(material, "_forward_table", forward_table);
+}
+
+void BackgroundLayer::set_source(int kind, const RID &panorama, double luminance) {
+	ensure();
+	RenderingServer *server = RenderingServer::get_singleton();
+	source = kind;
+	panorama_luminance = luminance;
+	server->material_set_param(material, "_background", kind);
+	server->material_set_param(material, "_panorama", panorama);
+	server->material_set_param(material, "_panorama_luminance", panorama_luminance * exposure);
+	show();
+}
+
+void BackgroundLayer::apply(const SkySettings &settings) {
+	ensure();
+	RenderingServer *server = RenderingServer::get_singleton();
+	exposure = settings.exposure;
+	server->material_set_shader(material, settings.lensing ? lensed_shader->get_rid() : flat_shader->get_rid());
+	server->material_set_param(material, "_hole_position", settings.hole_position);
+	server->material_set_param(material, "_inverse_radius", settings.inverse_radius);
+	server->material_set_param(material, "_observer_motion", settings.observer_motion);
+	server->material_set_param(material, "_sky_to_world", settings.sky_to_world);
+	server->material_set_param(material, "_panorama_luminance", panorama_luminance * exposure);
+	server->instance_set_layer_mask(instance, settings.render_layers);
+}

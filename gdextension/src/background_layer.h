@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <godot_cpp/classes/shader.hpp>
+#include <godot_cpp/variant/rid.hpp>
+
+#include "src/sky_settings.h"
+
+/// Draws what lies behind the stars: a quad at the far plane. Owns what it makes on the RenderingServer.
+class BackgroundLayer {
+public:
+	BackgroundLayer() = default;
+	BackgroundLayer(const BackgroundLayer &) = delete;
+	BackgroundLayer &operator=(const BackgroundLayer &) = delete;
+	~BackgroundLayer() { clear(); }
+
+	void clear();
+	void set_scenario(const godot::RID &scenario);
+	void set_shown(bool shown);
+	void set_forward_table(const godot::RID &forward_table);
+	/// kind: BlackHoleSky::Background; luminance of a panorama texel of value 1 at exposure 0.
+	void set_source(int kind, const godot::RID &panorama, double luminance);
+	void apply(const SkySettings &settings);
+
+private:
+	void ensure();
+	void show();
+
+	godot::Ref<godot::Shader> lensed_shader;
+	godot::Ref<godot::Shader> flat_shader;
+	godot::RID material;
+	godot::RID quad;
+	godot::RID instance;
+	godot::RID scenario;
+	double panorama_luminance = 1.0;
+	double exposure = 1.0;
+	int source = 0;
+	bool layer_shown = true;
+};

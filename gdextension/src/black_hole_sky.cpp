@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: MIT
+#include "src/black_hole_sky.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include <godot_cpp/classes/environment.hpp>
+#include <godot_cpp/classes/rendering_server.hpp>
+#include <godot_cpp/classes/viewport.hpp>
+#include <godot_cpp/classes/world3d.hpp>
+#include <godot_cpp/variant/callable_method_pointer.hpp>
+
+#include "src/planck_texture.h"
+
+using namespace godot;
+
+BlackHoleSky::BlackHoleSky() {
+	set_notify_transform(true);
+}
+
+bool BlackHoleSky::is_lensing() const {
+	return lensing > 1e-6 && table.is_valid() && table->is_ready();
+}
+
+void BlackHoleSky::enter_world() {
+	const RID scenario = get_world_3d()->get_scenario();
+	star_layer.set_scenario(scenario);
+	background_layer.set_scenario(scenario);
+	star_layer.set_shown(stars_visible && is_visible_in_tree());
+	background_layer.set_shown(is_visible_in_tree());
+	SceneTree *tree = get_tree();
+	eye_tracker.scan(Object::cast_to<Node>(tree->get_root()));
+	tree->connect("node_added", callable_mp(this, &BlackHoleSky::node_added));
+	tree->connect("node_removed", callable_mp(this, &BlackHoleSky::node_removed));
+	// The last moment before drawing: cameras have moved by then, so nothing lags a frame behind.
+	RenderingServer::get_singleton()->connect(
+			"frame_pre_draw", callable_mp(this, &BlackHoleSky::update_visible_groups));
+	apply_settings();
+}
+
+void BlackHoleSky::exit_world() {
+	RenderingServer::get_singleton()->disconnect(
+			"frame_pre_draw", callable_mp(this, &BlackHoleSky::update_visible_groups));
+	SceneTree *tree = get_tree();
+	tree->disconnect("node_added", callable_mp(this, &BlackHoleSky::node_added));
+	tree->disconnect("node_removed", callable_mp(this, &BlackHoleSky::node_removed));
+	eye_tracker.clear();
+	star_layer.set_scenario(RID());
+	background_layer.set_scenario(RID());
+}
+
+void BlackHoleSky::node_added(Node *node) {
+	eye_tracker.add(node);
+}
+
+void BlackHoleSky::node_removed(Node *node) {
+	eye_tracker.remove(node);
+}
+
+void BlackHoleSky::_notification(int what) {
+	switch (what) {
+		case NOTIFICATION_ENTER_WORLD:
+			enter_world();
+			break;
+		case NOTIFICATION_EXIT_WORLD:
+			exit_world();
+			break;
+		case NOTIFICATION_TRANSFORM_CHANGED:
+			settings_changed();
+			update_configuration_warnings();
+			break;
+		case NOTIFICATION_VISIBILITY_CHANGED:
+			star_layer.set_shown(stars_visible && is_visible_in_tree());
+			background_layer.set_shown(is_visible_in_tree());
+			break;
+		default:
+			break;
+	}
+}
+
+void BlackHoleSky::settings_changed() {
+	settings_dirty = true;
+}
+
+void BlackHoleSky::apply_settings() {
+	settings_dirty = false;
+	const Transform3D place = get_global_transform();
+	settings.hole_position = place.origin;
+	settings.sky_to_world = place.basis.orthonormalized();
+	settings.lensing = is_lensing();
+	settings.inverse_radius = 1.0 / (schwarzschild_radius * std::max(lensing, 1e-6));
+	settings.observer_motion = observer_motion;
+	settings.exposure = std::exp2(exposure);
+	settings.psf_sigma = psf_sigma;
+	settings.faint_limit = faint_limit;
+	settings.magnitude_limit = magnitude_limit;
+	settings.image_orders = image_orders;
+	settings.render_layers = render_layers;
+	star_layer.apply(settings);
+	background_layer.apply(settings);
+}
+
+void BlackHoleSky::update_visible_groups() {
+	const auto start = std::chrono::steady_clock::now();
+	if (settings_dirty) {
+		apply_settings();
+	}
+	const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - start;
+	update_time_ms = spent.count();
+}
+
+void BlackHoleSky::catalogue_changed() {
+	if (catalogue.is_valid()) {
+		star_layer.build(catalogue->table());
+		if (is_inside_tree()) {
+			star_layer.set_scenario(get_world_3d()->get_scenario());
+		}
+		table_changed();
+	} else {
+		star_layer.clear();
+	}
+	update_configuration_warnings();
+}
+
+void BlackHoleSky::table_changed() {
+	RID inverse;
+	RID forward;
+	if (table.is_valid() && table->is_ready()) {
+		inverse = table->get_inverse_texture()->get_rid();
+		forward = table->get_forward_texture()->get_rid();
+	}
+	star_layer.set_textures(inverse, planck_texture()->get_rid());
+	background_layer.set_forward_table(forward);
+	settings_changed();
+	update_configuration_warnings();
+}
+
+void BlackHoleSky::set_catalogue(const Ref<StarCatalogue> &p_catalogue) {
+	const Callable changed = callable_mp(this, &BlackHoleSky::catalogue_changed);
+	if (catalogue.is_valid() && catalogue->is_connected("changed", changed)) {
+		catalogue->disconnect("changed", changed);
+	}
+	catalogue = p_catalogue;
+	if (catalogue.is_valid()) {
+		catalogue->connect("changed", changed);
+	}
+	catalogue_changed();
+}
+
+void BlackHoleSky::set_table(const Ref<LensingTable> &p_table) {
+	const Callable changed = callable_mp(this, &BlackHoleSky::table_changed);
+	if (table.is_valid() && table->is_connected("changed", changed)) {
+		table->disconnect("changed", changed);
+	}
+	table = p_table;
+	if (table.is_valid()) {
+		table->connect("changed", changed);
+	}
+	table_changed();
+}
+
+void BlackHoleSky::set_schwarzschild_radius(double metres) {
+	schwarzschild_radius = std::max(metres, 1e-6);
+	settings_changed();
+}
+
+void BlackHoleSky::set_lensing(double fraction) {
+	lensing = std::clamp(fraction, 0.0, 1.0);
+	settings_changed();
+}
+
+void BlackHoleSky::set_observer_motion(LensingTable::Motion motion) {
+	observer_motion = motion;
+	settings_changed();
+}
+
+void BlackHoleSky::set_stars_visible(bool shown) {
+	stars_visible = shown;
+	star_layer.set_shown(stars_visible && is_inside_tree() && is_visible_in_tree());
+}
+
+void BlackHoleSky::set_magnitude_limit(double magnitude) {
+	magnitude_limit = std::clamp(magnitude, -30.0, 99.0);
+	settings_changed();
+}
+
+void BlackHoleSky::set_image_orders(int orders) {
+	image_orders = std::clamp(orders, 1, StarLayer::kMaxOrders);
+	settings_changed();
+}
+
+void BlackHoleSky::set_psf_sigma(double pixels) {
+	psf_sigma = std::clamp(pixels, 0.3, 32.0);
+	settings_changed();
+}
+
+void BlackHoleSky::set_faint_limit(double luminance) {
+	faint_limit = std::clamp(luminance, 1e-9, 1.0);
+	settings_changed();
+}
+
+void BlackHoleSky::set_exposure(double ev) {
+	exposure = std::clamp(ev, -40.0, 60.0);
+	settings_changed();
+}
+
+void BlackHoleSky::set_background(Background kind) {
+	background = kind;
+	background_layer.set_source(
+			background, panorama.is_valid() ? panorama->get_rid() : RID(), panorama_luminance);
+	update_configuration_warnings();
+}
+
+void BlackHoleSky::set_panorama(const Ref<Texture2D> &texture) {
+	panorama = texture;
+	set_background(background);
+}
+
+void BlackHoleSky::set_panorama_luminance(double luminance) {
+	panorama_luminance = std::max(luminance, 0.0);
+	set_background(background);
+}
+
+void BlackHoleSky::set_render_layers(uint32_t layers) {
+	render_layers = layers;
+	settings_changed();
+}
+
+double BlackHoleSky::distance_to(const Vector3 &world_position) const {
+	return world_position.distance_to(get_global_transform().origin) / schwarzschild_radius;
+}
+
+double BlackHoleSky::shadow_angle_at(const Vector3 &world_position) const {
+	const double r = distance_to(world_position);
+	const bool refused = observer_motion == LensingTable::MOTION_STATIC && r <= 1.0;
+	return LensingTable::shadow_angle(r, refused ? LensingTable::MOTION_RAIN : observer_motion);
+}

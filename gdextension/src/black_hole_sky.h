@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <godot_cpp/classes/node3d.hpp>
+#include <godot_cpp/classes/texture2d.hpp>
+#include <godot_cpp/core/class_db.hpp>
+#include <godot_cpp/variant/packed_string_array.hpp>
+
+#include "src/background_layer.h"
+#include "src/eye_tracker.h"
+#include "src/lensing_table.h"
+#include "src/sky_settings.h"
+#include "src/star_catalogue.h"
+#include "src/star_layer.h"
+
+/// A Schwarzschild black hole at the node's place and the sky as its light bends it, right for every camera and eye
+/// that looks at the node's world.
+class BlackHoleSky : public godot::Node3D {
+	GDCLASS(BlackHoleSky, godot::Node3D)
+
+public:
+	enum Background { BACKGROUND_NONE = 0, BACKGROUND_GRID = 1, BACKGROUND_PANORAMA = 2 };
+
+	BlackHoleSky();
+
+	void set_schwarzschild_radius(double metres);
+	double get_schwarzschild_radius() const { return schwarzschild_radius; }
+	void set_lensing(double fraction);
+	double get_lensing() const { return lensing; }
+	void set_observer_motion(LensingTable::Motion motion);
+	LensingTable::Motion get_observer_motion() const { return observer_motion; }
+	void set_table(const godot::Ref<LensingTable> &p_table);
+	godot::Ref<LensingTable> get_table() const { return table; }
+
+	void set_catalogue(const godot::Ref<StarCatalogue> &p_catalogue);
+	godot::Ref<StarCatalogue> get_catalogue() const { return catalogue; }
+	void set_stars_visible(bool shown);
+	bool are_stars_visible() const { return stars_visible; }
+	void set_magnitude_limit(double magnitude);
+	double get_magnitude_limit() const { return magnitude_limit; }
+	void set_image_orders(int orders);
+	int get_image_orders() const { return image_orders; }
+	void set_psf_sigma(double pixels);
+	double get_psf_sigma() const { return psf_sigma; }
+	void set_faint_limit(double luminance);
+	double get_faint_limit() const { return faint_limit; }
+
+	void set_exposure(double ev);
+	double get_exposure() const { return exposure; }
+	void set_background(Background kind);
+	Background get_background() const { return background; }
+	void set_panorama(const godot::Ref<godot::Texture2D> &texture);
+	godot::Ref<godot::Texture2D> get_panorama() const { return panorama; }
+	void set_panorama_luminance(double luminance);
+	double get_panorama_luminance() const { return panorama_luminance; }
+	void set_render_layers(uint32_t layers);
+	uint32_t get_render_layers() const { return render_layers; }
+
+	double distance_to(const godot::Vector3 &world_position) const;
+	double shadow_angle_at(const godot::Vector3 &world_position) const;
+	double get_update_time_ms() const { return update_time_ms; }
+
+	godot::PackedStringArray _get_configuration_warnings() const override;
+
+protected:
+	static void _bind_methods();
+	void _notification(int what);
+
+private:
+	void enter_world();
+	void exit_world();
+	void settings_changed();
+	void apply_settings();
+	void catalogue_changed();
+	void table_changed();
+	void update_visible_groups();
+	void node_added(godot::Node *node);
+	void node_removed(godot::Node *node);
+	bool is_lensing() const;
+
+	StarLayer star_layer;
+	BackgroundLayer background_layer;
+	EyeTracker eye_tracker;
+	SkySettings settings;
+
+	double schwarzschild_radius = 1.0;
+	double lensing = 1.0;
+	LensingTable::Motion observer_motion = LensingTable::MOTION_STATIC;
+	godot::Ref<LensingTable> table;
+	godot::Ref<StarCatalogue> catalogue;
+	bool stars_visible = true;
+	double magnitude_limit = 12.0;
+	int image_orders = 2;
+	double psf_sigma = 1.0;
+	double faint_limit = 5e-5;
+	double exposure = 0.0;
+	Background background = BACKGROUND_NONE;
+	godot::Ref<godot::Texture2D> panorama;
+	double panorama_luminance = 1.0;
+	uint32_t render_layers = 1;
+
+	double update_time_ms = 0.0;
+	bool settings_dirty = false;
+};
+
+VARIANT_ENUM_CAST(BlackHoleSky::Background);

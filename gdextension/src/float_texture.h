@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstring>
+#include <vector>
+
+#include <godot_cpp/classes/image.hpp>
+#include <godot_cpp/classes/image_texture.hpp>
+#include <godot_cpp/variant/packed_byte_array.hpp>
+
+/// An RGBA32F texture of width x height texels from 4 width height floats, row-major.
+inline godot::Ref<godot::ImageTexture> make_float_texture(
+		const std::vector<float> &texels, int width, int height) {
+	godot::PackedByteArray bytes;
+	bytes.resize(static_cast<int64_t>(texels.size() * sizeof(float)));
+	std::memcpy(bytes.ptrw(), texels.data(), texels.size() * sizeof(float));
+	return godot::ImageTexture::create_from_image(
+			godot::Image::create_from_data(width, height, false, godot::Image::FORMAT_RGBAF, bytes));
+}

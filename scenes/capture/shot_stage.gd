@@ -1,0 +1,110 @@
+class_name ShotStage
+extends Node
+## Sets up a shot in a viewport of its own and takes the picture.
+
+const TABLE_FILE: String = "res://addons/blackhole_sky/data/schwarzschild.lut"
+const CATALOGUE_FILE: String = "res://addons/blackhole_sky/data/hipparcos.stars"
+const MILKY_WAY_FILE: String = "res://addons/blackhole_sky/data/milky_way.exr"
+## Farther than this from the hole the world is made smaller, to stay within what culling takes.
+const LARGEST_DISTANCE: float = 1000.0
+## Frames drawn before the picture is taken: the engine compiles its pipelines in the first.
+const WARM_UP_FRAMES: int = 3
+
+var _viewport := SubViewport.new()
+var _camera := Camera3D.new()
+var _sky := BlackHoleSky.new()
+var _catalogues: Dictionary[String, StarCatalogue] = {}
+
+
+func _init() -> void:
+	_viewport.own_world_3d = true
+	_viewport.use_hdr_2d = true
+	_viewport.msaa_3d = Viewport.MSAA_DISABLED
+	_viewport.render_target_update_mode = SubViewport.UPDATE_DISABLED
+	_camera.keep_aspect = Camera3D.KEEP_HEIGHT
+	var world := WorldEnvironment.new()
+	world.environment = Environment.new()
+	world.environment.background_mode = Environment.BG_COLOR
+	world.environment.background_color = Color.BLACK
+	world.environment.tonemap_mode = Environment.TONE_MAPPER_LINEAR
+	for node: Node in [world, _camera, _sky]:
+		_viewport.add_child(node)
+	add_child(_viewport)
+
+
+## Takes the picture: linear light (RGBAH) where the renderer keeps it, else 8-bit sRGB. Returns
+## null, with a reason in `refusal`, when something the shot names cannot be had.
+func take(spec: ShotSpec, refusal: PackedStringArray) -> Image:
+	if not _dress(spec, refusal):
+		return null
+	_viewport.size = spec.resolution
+	_aim(spec)
+	for frame in WARM_UP_FRAMES:
+		_viewport.render_target_update_mode = SubViewport.UPDATE_ONCE
+		await RenderingServer.frame_post_draw
+	return _viewport.get_texture().get_image()
+
+
+func _dress(spec: ShotSpec, refusal: PackedStringArray) -> bool:
+	if _sky.table == null:
+		var table := LensingTable.new()
+		if table.load_file(TABLE_FILE) != OK:
+			refusal.append(table.get_error_message())
+			return false
+		_sky.table = table
+	_sky.stars_visible = spec.has_stars
+	if spec.has_stars:
+		var path := CATALOGUE_FILE if spec.catalogue == "builtin" else spec.catalogue
+		if not _catalogues.has(path):
+			var catalogue := StarCatalogue.new()
+			if catalogue.load_file(path) != OK:
+				refusal.append(catalogue.get_error_message())
+				return false
+			_catalogues[path] = catalogue
+		if _sky.catalogue != _catalogues[path]:
+			_sky.catalogue = _catalogues[path]
+	_sky.magnitude_limit = spec.magnitude_limit
+	_sky.image_orders = spec.orders
+	_sky.lensing = 1.0 if spec.lensing else 0.0
+	_sky.psf_sigma = spec.psf_sigma_px
+	_sky.exposure = spec.exposure_ev
+	_sky.observer_motion = spec.observer
+	return _set_background(spec, refusal)
+
+
+func _set_background(spec: ShotSpec, refusal: PackedStringArray) -> bool:
+	match spec.background:
+		ShotSpec.Background.NONE:
+			_sky.background = BlackHoleSky.BACKGROUND_NONE
+		ShotSpec.Background.GRID:
+			_sky.background = BlackHoleSky.BACKGROUND_GRID
+		ShotSpec.Background.MILKY_WAY:
+			if not ResourceLoader.exists(MILKY_WAY_FILE):
+				refusal.append("The Milky Way panorama %s is missing." % MILKY_WAY_FILE)
+				return false
+			_sky.panorama = load(MILKY_WAY_FILE) as Texture2D
+			_sky.panorama_luminance = MilkyWay.LUMINANCE
+			_sky.background = BlackHoleSky.BACKGROUND_PANORAMA
+		ShotSpec.Background.FILE:
+			var picture := Image.load_from_file(spec.background_file)
+			if picture == null or picture.is_empty():
+				refusal.append("background: %s cannot be read as a picture." % spec.background_file)
+				return false
+			picture.generate_mipmaps()
+			_sky.panorama = ImageTexture.create_from_image(picture)
+			_sky.panorama_luminance = 1.0
+			_sky.background = BlackHoleSky.BACKGROUND_PANORAMA
+	return true
+
+
+func _aim(spec: ShotSpec) -> void:
+	var radius := minf(1.0, LARGEST_DISTANCE / Vec3D.length(spec.position))
+	_sky.schwarzschild_radius = radius
+	_camera.fov = spec.vertical_fov_deg
+	var right := Vec3D.cross(spec.forward, spec.up)
+	_camera.transform = Transform3D(
+		Vec3D.to_vector3(right),
+		Vec3D.to_vector3(spec.up),
+		-Vec3D.to_vector3(spec.forward),
+		Vec3D.to_vector3(Vec3D.scaled(spec.position, radius))
+	)
