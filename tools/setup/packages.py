@@ -13,12 +13,12 @@ from setup.console import Failure, note, say
 
 BUILD = [
     "g++", "cmake", "ninja-build", "ccache", "python3", "libglm-dev", "libboost-dev", "zlib1g-dev",
-    "libcli11-dev", "nlohmann-json3-dev", "libgtest-dev", "libbenchmark-dev",
+    "libcli11-dev", "nlohmann-json3-dev",
 ]
 VIRTUAL_SCREEN = ["xvfb", "xauth"]
 # The private copy of Godot brings drivers of its own; a Godot of the system's draws with these on a virtual screen.
 SOFTWARE_DRIVERS = ["libgl1", "libgl1-mesa-dri", "libvulkan1", "mesa-vulkan-drivers"]
-CHECKS = ["git", "clang-format", "clang-tidy", "shellcheck", "python3-venv"]
+CHECKS = ["git", "libgtest-dev", "libbenchmark-dev", "clang-format", "clang-tidy", "shellcheck", "python3-venv"]
 
 _DPKG_STATUS = Path("/var/lib/dpkg/status")
 

@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: MIT
+import os
+import unittest
+from unittest import mock
+
+from setup import archive
+from setup.console import Failure
+
+_MAIN = "http://archive.example/debian/"
+
+
+def _line(origin: str, label: str, codename: str, address: str) -> str:
+    return "\t".join((origin, label, codename, address))
+
+
+class Select(unittest.TestCase):
+    def test_takes_debian_alone_among_third_parties(self) -> None:
+        listed = "\n".join([
+            _line("Node Source", "Node Source", "nodistro", "https://node.example/"),
+            _line("Debian", "Debian-Security", "bookworm-security", "http://archive.example/debian-security/"),
+            _line("Debian", "Debian", "bookworm", _MAIN),
+            _line("Debian", "Debian", "bookworm-updates", _MAIN),
+        ])
+        self.assertEqual(archive.select(listed), [_MAIN])
+
+    def test_without_lists_every_configured_address_is_a_candidate(self) -> None:
+        listed = "\n".join([
+            _line("", "", "", "https://node.example/"),
+            _line("", "", "", "http://archive.example/debian-security/"),
+            _line("", "", "", _MAIN),
+        ])
+        self.assertEqual(archive.select(listed), ["https://node.example/", _MAIN])
+
+    def test_another_distribution_has_none(self) -> None:
+        self.assertEqual(archive.select(_line("Ubuntu", "Ubuntu", "noble", "http://ubuntu.example/")), [])
+
+
+class Candidates(unittest.TestCase):
+    def test_the_variable_overrides(self) -> None:
+        with mock.patch.dict(os.environ, {"DEBIAN_MIRROR": "http://near.example/debian"}):
+            self.assertEqual(archive.candidates(), ["http://near.example/debian/"])
+
+    def test_none_says_what_to_do(self) -> None:
+        with mock.patch.dict(os.environ), mock.patch("setup.process.capture", return_value=None):
+            os.environ.pop("DEBIAN_MIRROR", None)
+            with self.assertRaisesRegex(Failure, "download Godot"):
+                archive.candidates()

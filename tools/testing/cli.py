@@ -1,0 +1,128 @@
+# SPDX-License-Identifier: MIT
+"""./test: runs the stages one after the other and counts."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+
+from setup import session
+from setup.console import Failure
+from testing import junit, programs, style
+from testing.context import RESULTS, Context
+from testing.junit import Case
+
+_SHOWN_LINES = 15
+
+
+@dataclass(frozen=True)
+class Stage:
+    """A part of ./test that can be run alone."""
+
+    name: str
+    summary: str
+    run: Callable[[Context], list[Case]]
+
+
+def _set_up(context: Context) -> list[Case]:
+    _ = context.project
+    return [Case("packages, Godot, build and import")]
+
+
+STAGES = [
+    Stage("set-up", "the machine, the build and the import", _set_up),
+    Stage("rules", "rules of the house: lengths, licence lines, directions", style.rules_stage),
+    Stage("format", "clang-format and gdformat", style.format_stage),
+    Stage("lint", "clang-tidy, gdlint, shellcheck", style.lint_stage),
+    Stage("python", "unit tests of the tools", programs.python_stage),
+    Stage("cpp", "GoogleTest on the physics", programs.cpp_stage),
+    Stage("provider", "the binding provider under the address sanitizer", programs.provider_stage),
+    Stage("gut", "GUT tests of the Godot classes", programs.gut_stage),
+    *(
+        Stage(f"render-{renderer}", f"pictures measured, {renderer}", partial(programs.render_stage, renderer=renderer))
+        for renderer in session.RENDERERS
+    ),
+    Stage("commands", "./run as a visitor uses it", programs.commands_stage),
+]
+
+
+def main(arguments: list[str]) -> int:
+    """Runs the chosen stages; 0 when at least one test ran and none failed, 2 for a wrong command line."""
+    listed = "\n".join(f"  {stage.name:<24}{stage.summary}" for stage in STAGES)
+    parser = argparse.ArgumentParser(
+        prog="./test", description="Builds what is missing and proves it.",
+        epilog=f"stages:\n{listed}\n'render' stands for all render stages. Results: out/test/*.xml",
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    parser.add_argument("stages", nargs="*", metavar="STAGE", help="run these stages only")
+    parser.add_argument("--all", action="store_true", help="the long variants as well")
+    chosen = parser.parse_args(arguments)
+    try:
+        stages = select(chosen.stages)
+    except ValueError as error:
+        parser.error(str(error))
+    context = Context(all_variants=chosen.all)
+    results = {stage.name: _run(stage, context) for stage in stages}
+    _report(results)
+    cases = [case for _, of_stage in results.values() for case in of_stage]
+    failed = sum(case.failure is not None for case in cases)
+    print(verdict(cases), flush=True)
+    return 1 if failed or not cases else 0
+
+
+def select(names: list[str]) -> list[Stage]:
+    """The stages of these names, in their order; none named: all. ValueError names an unknown one."""
+    for name in names:
+        if not any(stage.name == name or stage.name.startswith(f"{name}-") for stage in STAGES):
+            raise ValueError(f"there is no stage '{name}'")
+    return [
+        stage for stage in STAGES
+        if not names or any(stage.name == name or stage.name.startswith(f"{name}-") for name in names)
+    ]
+
+
+def verdict(cases: list[Case]) -> str:
+    """`N passed, N failed`, and how many were skipped when any were."""
+    failed = sum(case.failure is not None for case in cases)
+    skipped = sum(case.failure is None and case.skipped is not None for case in cases)
+    line = f"{len(cases) - failed - skipped} passed, {failed} failed"
+    return f"{line}, {skipped} skipped" if skipped else line
+
+
+def _run(stage: Stage, context: Context) -> tuple[float, list[Case]]:
+    print(f"[{stage.name}]", flush=True)
+    started = time.monotonic()
+    try:
+        cases = stage.run(context) or [Case("runs", stage.name, failure="the stage found nothing to test")]
+    except Failure as failure:
+        cases = [Case("runs", stage.name, failure=str(failure))]
+    except OSError as error:
+        cases = [Case("runs", stage.name, failure=f"cannot run: {error}")]
+    seconds = time.monotonic() - started
+    junit.write(RESULTS / f"{stage.name}.xml", stage.name, cases)
+    for case in cases:
+        if case.failure is not None:
+            lines = case.failure.splitlines()
+            print(f"  FAILED {case.group}: {case.name}")
+            print("\n".join(f"    {line}" for line in lines[:_SHOWN_LINES]))
+            if len(lines) > _SHOWN_LINES:
+                print(f"    ... {len(lines) - _SHOWN_LINES} more lines in {RESULTS / stage.name}.xml")
+        elif case.skipped is not None:
+            print(f"  skipped {case.group}: {case.name}: {case.skipped}")
+    print(f"  {verdict(cases)} in {seconds:.1f} s", flush=True)
+    return seconds, cases
+
+
+def _report(results: dict[str, tuple[float, list[Case]]]) -> None:
+    """The time of each stage, for the reader and as out/test/times.json."""
+    print("\nstage                     seconds  result")
+    for name, (seconds, cases) in results.items():
+        print(f"{name:<24}{seconds:>9.1f}  {verdict(cases)}")
+    total = sum(seconds for seconds, _ in results.values())
+    print(f"{'total':<24}{total:>9.1f}\n")
+    times = {name: round(seconds, 2) for name, (seconds, _) in results.items()}
+    (RESULTS / "times.json").write_text(json.dumps(times, indent=2) + "\n", encoding="utf-8")

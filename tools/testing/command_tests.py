@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: MIT
+"""./run as a visitor uses it, on the built project. Run by the stage `commands` of ./test."""
+
+from __future__ import annotations
+
+import json
+import struct
+import subprocess
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+_ROOT = Path(__file__).resolve().parent.parent.parent
+_SUBCOMMANDS = ("demo", "capture", "bake", "lut", "bench", "editor", "clean", "help")
+
+
+def run(*arguments: str | Path, cwd: Path = _ROOT) -> subprocess.CompletedProcess[str]:
+    """./run with these arguments."""
+    return subprocess.run(
+        [str(_ROOT / "run"), *(str(part) for part in arguments)],
+        cwd=cwd, stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=300, check=False,
+    )
+
+
+class CommandLine(unittest.TestCase):
+    def test_help_has_one_line_for_each_subcommand(self) -> None:
+        done = run("help")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        for word in _SUBCOMMANDS:
+            self.assertRegex(done.stdout, rf"(?m)^  {word} +\S")
+
+    def test_an_unknown_word_gets_the_list_and_2(self) -> None:
+        done = run("fly")
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        self.assertIn("'fly'", done.stderr)
+        self.assertIn(run("help").stdout.strip(), done.stderr)
+
+    def test_wrong_arguments_are_2(self) -> None:
+        for arguments in (
+            ["capture"], ["bake", "--chek"], ["clean", "all"], ["bench", "a", "b"], ["bench", "--renderer", "vulcan"],
+            ["demo", "fast"], ["editor", "fast"],
+        ):
+            with self.subTest(arguments):
+                done = run(*arguments)
+                self.assertEqual((done.returncode, done.stdout), (2, ""))
+                self.assertIn("usage:", done.stderr)
+
+    def test_a_second_start_is_quick(self) -> None:
+        run("lut", "--help")
+        started = time.monotonic()
+        done = run("lut", "--help")
+        self.assertLess(time.monotonic() - started, 3.0)
+        self.assertEqual(done.returncode, 0, done.stderr)
+
+    def test_from_any_folder_and_through_a_link(self) -> None:
+        with tempfile.TemporaryDirectory() as folder:
+            link = Path(folder) / "sky"
+            link.symlink_to(_ROOT / "run")
+            done = subprocess.run([link, "help"], cwd=folder, capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 0, done.stderr)
+
+
+class Capture(unittest.TestCase):
+    def setUp(self) -> None:
+        holder = tempfile.TemporaryDirectory()
+        self.addCleanup(holder.cleanup)
+        self.folder = Path(holder.name)
+
+    def _shot(self, name: str, **keys: object) -> str:
+        shot = {"position_rs": [0, 0, 10], "resolution": [160, 90], **keys}
+        (self.folder / name).write_text(json.dumps(shot), encoding="utf-8")
+        return name
+
+    def test_a_picture_of_the_size_asked_for(self) -> None:
+        done = run("capture", self._shot("shot.json", background="grid"), "new/picture.png", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        picture = self.folder / "new" / "picture.png"
+        self.assertEqual(done.stdout, f"{picture}\n")
+        self.assertEqual(struct.unpack(">II", picture.read_bytes()[16:24]), (160, 90))
+
+    def test_a_list_with_several_renderers(self) -> None:
+        shots = [self._shot(f"{name}.json", renderer=name) for name in ("mobile", "gl_compatibility")]
+        listed = [{"shot": shot, "out": f"{shot}.png"} for shot in shots]
+        (self.folder / "list.json").write_text(json.dumps(listed), encoding="utf-8")
+        done = run("capture", "--batch", "list.json", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for shot in shots:
+            self.assertTrue((self.folder / f"{shot}.png").is_file())
+
+    def test_impossible_requests_are_refused_by_name(self) -> None:
+        for words, keys in {
+            "positon": {"positon": [0, 0, 1]},
+            "resolution": {"resolution": "large"},
+            "renderer": {"renderer": "vulcan"},
+            "static": {"position_rs": [0, 0, 0.5], "observer": "static"},
+            "nowhere.csv": {"stars": {"catalogue": "nowhere.csv"}},
+            "nowhere.png": {"background": "nowhere.png"},
+        }.items():
+            with self.subTest(words):
+                done = run("capture", self._shot("shot.json", **keys), "picture.png", cwd=self.folder)
+                self.assertNotEqual(done.returncode, 0)
+                self.assertIn(words, done.stderr)
+                self.assertEqual(done.stdout, "")
+                self.assertFalse((self.folder / "picture.png").exists())
+
+
+class Tables(unittest.TestCase):
+    def test_the_committed_table_is_what_bake_makes(self) -> None:
+        done = run("bake", "--check")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
+    def test_the_table_tool_refuses_a_wrong_file(self) -> None:
+        done = run("lut", "inspect", "/nowhere.lut")
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn("/nowhere.lut", done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: MIT
+"""The stages that run test programs: C++, the binding provider, Python, the commands, GUT."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+from setup import build, display, paths, session
+from setup.console import Failure
+from testing.context import Context, relative, result_file, run_for_junit, sources
+from testing.junit import Case
+
+_PROVIDER = paths.SOURCES / "tests" / "bindings" / "run_provider_tests.py"
+_COMMANDS = Path(__file__).parent / "command_tests.py"
+
+
+def cpp_stage(context: Context) -> list[Case]:
+    """The GoogleTest suites on core."""
+    _ = context.engine
+    folder = build.build("test", None)
+    command = ["ctest", "--test-dir", folder, "--output-junit", result_file("cpp"), "--output-on-failure", "-j2"]
+    return run_for_junit(command, "cpp", 900, context.all_variants)
+
+
+def provider_stage(context: Context) -> list[Case]:
+    """The tests of the binding provider, under the address sanitizer."""
+    godot = context.engine
+    command = [
+        sys.executable, _PROVIDER, "--godot", godot.executable, "--build-dir", paths.BUILD / "provider",
+        "--asan", "--junit", result_file("provider"),
+    ]
+    return run_for_junit(command, "provider", 900, context.all_variants)
+
+
+def python_stage(context: Context) -> list[Case]:
+    """The unit tests of the tools."""
+    cases: list[Case] = []
+    for path in sources(".py", under="tools"):
+        if path.name.startswith("test_"):
+            name = "python-" + relative(path.with_suffix("")).replace("/", "-")
+            cases += _unittest(path, name, 120, context)
+    return cases
+
+
+def commands_stage(context: Context) -> list[Case]:
+    """./run as a visitor uses it."""
+    _ = context.project
+    return _unittest(_COMMANDS, "commands", 900, context)
+
+
+def gut_stage(context: Context) -> list[Case]:
+    """The GUT tests that draw nothing."""
+    godot = context.project
+    command = [godot.executable, "--headless", "--path", paths.ROOT, "-s", "addons/gut/gut_cmdln.gd"]
+    options = ["-gconfig=res://.gutconfig.json", "-gexit", f"-gjunit_xml_file={result_file('gut')}"]
+    return run_for_junit([*command, *options], "gut", 600, context.all_variants)
+
+
+def render_stage(context: Context, renderer: str) -> list[Case]:
+    """The GUT tests that measure pictures, with one renderer."""
+    if renderer not in session.RENDERERS:
+        raise Failure(f"there is no renderer '{renderer}'")
+    godot = context.project
+    name = f"render-{renderer}"
+    command = display.on_screen([
+        str(godot.executable), "--path", str(paths.ROOT), "--rendering-method", renderer, "--audio-driver", "Dummy",
+        "-s", "addons/gut/gut_cmdln.gd", "-gconfig=", "-gdir=res://tests/render", "-ginclude_subdirs", "-gexit",
+        f"-gjunit_xml_file={result_file(name)}",
+    ])
+    return run_for_junit(command, name, 900, context.all_variants)
+
+
+def _unittest(path: Path, name: str, timeout_s: float, context: Context) -> list[Case]:
+    runner = Path(__file__).parent / "unittest_junit.py"
+    command = [sys.executable, runner, path, result_file(name)]
+    return run_for_junit(command, name, timeout_s, context.all_variants)

@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: MIT
+"""clang-tidy over the C++ sources, in parallel; a file whose inputs are as they were is not read again."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import subprocess
+from pathlib import Path
+
+from setup import paths, process, stamps
+from testing.context import complaint, each_file
+from testing.junit import Case
+
+FOLDERS = ("core", "src", "lut_cli")
+
+
+def cases(build_folder: Path) -> list[Case]:
+    """One case per source file that the build compiles from the folders above."""
+    entries = _entries(build_folder)
+    if not entries:
+        return [Case("sources", "clang-tidy", failure="the build names no source file to check")]
+    depends = _dependencies(build_folder)
+    version = process.capture(["clang-tidy", "--version"]) or ""
+    rules = (paths.ROOT / ".clang-tidy").read_text(encoding="utf-8")
+    known = paths.cache_dir() / "clang-tidy"
+    known.mkdir(parents=True, exist_ok=True)
+
+    def check(path: Path) -> str:
+        entry = entries[path]
+        inputs = [path, *depends.get(str(entry.get("output", "")), [])]
+        key = fingerprint(version, rules, str(entry["command"]), inputs, build_folder)
+        if (known / key).exists():
+            return ""
+        wrong = complaint(["clang-tidy", "-p", build_folder, "--quiet", path])
+        if not wrong:
+            (known / key).touch()
+        return wrong
+
+    return each_file(sorted(entries), "clang-tidy", check)
+
+
+def fingerprint(version: str, rules: str, command: str, inputs: list[Path], build_folder: Path) -> str:
+    """Changes with the tool, its rules, the compile command and each project file that is read.
+
+    Places of the clone are left out, so that another clone of the same sources profits.
+    """
+    content = hashlib.sha256()
+    for path in sorted(set(inputs)):
+        try:
+            content.update(path.name.encode() + b"\0" + path.read_bytes())
+        except FileNotFoundError:
+            content.update(b"gone")
+    placeless = command.replace(str(build_folder), "BUILD").replace(str(paths.ROOT), "ROOT")
+    return stamps.digest(version, rules, placeless, content.hexdigest())
+
+
+def _entries(build_folder: Path) -> dict[Path, dict[str, object]]:
+    listed = json.loads((build_folder / "compile_commands.json").read_text(encoding="utf-8"))
+    wanted = tuple(paths.SOURCES / name for name in FOLDERS)
+    found = {Path(entry["file"]): entry for entry in listed}
+    return {path: entry for path, entry in found.items() if any(path.is_relative_to(folder) for folder in wanted)}
+
+
+def _dependencies(build_folder: Path) -> dict[str, list[Path]]:
+    """For each object file the files of this project that it was compiled from, as Ninja recorded them."""
+    printed = subprocess.run(
+        ["ninja", "-C", str(build_folder), "-t", "deps"],
+        stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, check=False,
+    ).stdout
+    found: dict[str, list[Path]] = {}
+    current: list[Path] = []
+    for line in printed.splitlines():
+        if line and not line[0].isspace() and ": #deps" in line:
+            current = found.setdefault(line.split(": #deps")[0], [])
+        elif line.strip():
+            path = (build_folder / line.strip()).resolve()
+            if path.is_relative_to(paths.ROOT):
+                current.append(path)
+    return found
