@@ -1,1 +1,14 @@
 # SPDX-License-Identifier: MIT
+target_sources(blackhole_core PRIVATE
+	${CMAKE_CURRENT_LIST_DIR}/deflection.cpp
+	${CMAKE_CURRENT_LIST_DIR}/einstein_ring.cpp
+	${CMAKE_CURRENT_LIST_DIR}/image_direction.cpp
+	${CMAKE_CURRENT_LIST_DIR}/magnification.cpp
+	${CMAKE_CURRENT_LIST_DIR}/observer.cpp
+	${CMAKE_CURRENT_LIST_DIR}/orbital_angle.cpp
+	${CMAKE_CURRENT_LIST_DIR}/redshift.cpp
+	${CMAKE_CURRENT_LIST_DIR}/shadow.cpp
+	${CMAKE_CURRENT_LIST_DIR}/sky_frame.cpp
+	${CMAKE_CURRENT_LIST_DIR}/star_image.cpp
+	${CMAKE_CURRENT_LIST_DIR}/view_angle.cpp
+)

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "core/relativity/observer.h"
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+#include <limits>
+
+namespace blackhole {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+} // namespace
+
+double radial_kappa(double u, ObserverMotion motion) {
+	if (!(u > 0.0)) {
+		return kNaN;
+	}
+	if (motion == ObserverMotion::kRain) {
+		return 1.0 + std::sqrt(u);
+	}
+	return u < 1.0 ? std::sqrt(1.0 - u) : kNaN;
+}
+
+double infall_kappa(double u, double energy) {
+	const double kinetic = energy * energy - 1.0 + u;
+	return energy > 0.0 && u > 0.0 && kinetic >= 0.0 ? energy + std::sqrt(kinetic) : kNaN;
+}
+
+double outgoing_kappa(double u, double energy) {
+	return u < 1.0 ? (1.0 - u) / infall_kappa(u, energy) : kNaN;
+}
+
+Outcome<glm::dvec3> observer_celerity(ObserverMotion motion, glm::dvec3 position_rs) {
+	const double r = glm::length(position_rs);
+	if (!(r > 0.0 && std::isfinite(r))) {
+		return Outcome<glm::dvec3>::failure(
+				"the observer's position must be finite and away from the centre");
+	}
+	if (motion == ObserverMotion::kRain) {
+		return Outcome<glm::dvec3>::success(glm::dvec3(0.0));
+	}
+	if (r <= 1.0) {
+		return Outcome<glm::dvec3>::failure(
+				"no observer can be static at or inside the horizon; choose rain or go "
+				"beyond r = 1 r_s");
+	}
+	// gamma beta = sqrt(u)/sqrt(1 - u) outward, u = 1/r
+	return Outcome<glm::dvec3>::success(position_rs * (1.0 / (r * std::sqrt(r - 1.0))));
+}
+
+Outcome<glm::dvec3> orbit_celerity(glm::dvec3 position_rs, glm::dvec3 axis) {
+	const double r = glm::length(position_rs);
+	const glm::dvec3 along = glm::cross(axis, position_rs);
+	const double along_length = glm::length(along);
+	if (!(r > 1.5 && std::isfinite(r))) {
+		return Outcome<glm::dvec3>::failure("circular orbits exist beyond r = 1.5 r_s only");
+	}
+	if (!(along_length > 0.0 && std::isfinite(along_length))) {
+		return Outcome<glm::dvec3>::failure("the orbit's axis must not point along the observer's position");
+	}
+	// u/(2 - 3u) = 1/(2 r - 3)
+	const double tangential = 1.0 / std::sqrt(2.0 * r - 3.0);
+	return Outcome<glm::dvec3>::success(
+			position_rs * (std::sqrt(2.0) * tangential / r) + along * (tangential / along_length));
+}
+
+glm::dvec3 boost_direction(glm::dvec3 toward_source, glm::dvec3 celerity) {
+	const double gamma = std::sqrt(1.0 + glm::dot(celerity, celerity));
+	const double along = glm::dot(celerity, toward_source);
+	// A photon comes from the source with nu' = nu (gamma + celerity . n); its direction follows the boost.
+	return glm::normalize(toward_source + celerity * (1.0 + along / (1.0 + gamma)));
+}
+
+double doppler_factor(glm::dvec3 toward_source, glm::dvec3 celerity) {
+	const double along = glm::dot(celerity, toward_source);
+	const double size = glm::length(celerity);
+	const double gamma = std::sqrt(1.0 + size * size);
+	if (along >= 0.0) {
+		return gamma + along;
+	}
+	// gamma - size = 1/(gamma + size), and size + along = size |celerity/size + n|^2 / 2
+	const glm::dvec3 sum = celerity / size + toward_source;
+	return 1.0 / (gamma + size) + 0.5 * size * glm::dot(sum, sum);
+}
+
+} // namespace blackhole

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#include "core/relativity/sky_frame.h"
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+
+namespace blackhole {
+
+Outcome<SkyFrame> sky_frame(glm::dvec3 position_rs, glm::dvec3 direction, ObserverMotion motion) {
+	const Outcome<glm::dvec3> celerity = observer_celerity(motion, position_rs);
+	if (!celerity) {
+		return Outcome<SkyFrame>::failure(celerity.error);
+	}
+	const double length = glm::length(direction);
+	if (!(length > 0.0 && std::isfinite(length))) {
+		return Outcome<SkyFrame>::failure("a direction must be finite and not zero");
+	}
+	const double r = glm::length(position_rs);
+	const glm::dvec3 n = direction / length;
+	SkyFrame frame;
+	frame.u = 1.0 / r;
+	frame.kappa = radial_kappa(frame.u, motion);
+	frame.outward = position_rs / r;
+	if (!(frame.kappa > 0.0)) {
+		return Outcome<SkyFrame>::failure("the observer is too close to the horizon to be static in double "
+										  "precision; choose rain");
+	}
+	frame.near = glm::length(frame.outward - n);
+	frame.far = glm::length(frame.outward + n);
+	// Twice across the axis: the second pass removes what rounding left of the radial part.
+	glm::dvec3 across = n - frame.outward * glm::dot(n, frame.outward);
+	across -= frame.outward * glm::dot(across, frame.outward);
+	if (glm::length(across) < 1e-15) {
+		const glm::dvec3 helper =
+				std::abs(frame.outward.x) < 0.6 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0);
+		across = glm::cross(frame.outward, helper);
+	}
+	frame.azimuth = glm::normalize(across);
+	return Outcome<SkyFrame>::success(frame);
+}
+
+} // namespace blackhole

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/outcome.h"
+#include "core/relativity/observer.h"
+
+#include <glm/vec3.hpp>
+
+namespace blackhole {
+
+/// The plane in which light from a direction travels to a radially moving observer.
+struct SkyFrame {
+	double u = 0.0;
+	double kappa = 0.0;
+	/// Unit vector from the hole to the observer.
+	glm::dvec3 outward{0.0};
+	/// Unit vector across `outward`, on the direction's side (any one where the direction is along the axis).
+	glm::dvec3 azimuth{0.0};
+	/// |outward - direction| and |outward + direction|: twice the sine and cosine of half the angle between
+	/// them, which keep their precision at both ends.
+	double near = 0.0;
+	double far = 0.0;
+};
+
+/// The frame of `direction` (any length but zero) at position_rs; fails with a reason for impossible
+/// requests.
+Outcome<SkyFrame> sky_frame(glm::dvec3 position_rs, glm::dvec3 direction, ObserverMotion motion);
+
+} // namespace blackhole

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+namespace blackhole {
+
+/// `blackhole-lut eval`: reads the inputs of reference table `name` from in_path, writes all its columns to
+/// out_path with 17 digits. Returns an error message, empty on success.
+std::string run_eval(const std::string &name, const std::string &in_path, const std::string &out_path);
+
+} // namespace blackhole

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "lut_cli/reference_columns.h"
+
+#include "core/relativity/star_image.h"
+#include "lut_cli/exact_columns.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace blackhole {
+namespace {
+
+using Inputs = std::span<const double>;
+
+std::string reject_place(Inputs in) {
+	return in[0] > 0.0 ? "" : "u_o = r_s/r must be > 0";
+}
+
+std::string reject_inverse(Inputs in) {
+	return !(in[1] > 0.0 && in[1] <= 600.0) ? "Phi must be > 0 and at most 600 rad" : reject_place(in);
+}
+
+std::string reject_forward(Inputs in) {
+	return !(in[1] > 0.0 && in[1] < std::numbers::pi) ? "xi must lie between 0 and pi" : reject_place(in);
+}
+
+std::string reject_images(Inputs in) {
+	if (!(in[1] >= 0.0 && in[1] <= std::numbers::pi)) {
+		return "phi must lie between 0 and pi";
+	}
+	if (!(in[2] >= 0.0 && in[2] <= kMaxImageOrder && in[2] == std::floor(in[2]))) {
+		return "order must be a whole number from 0 to " + std::to_string(kMaxImageOrder);
+	}
+	return in[1] == 0.0 && in[2] == 0.0 ? "phi = 0 has no image of order 0 with an orbital angle"
+										: reject_place(in);
+}
+
+std::string reject_rings(Inputs in) {
+	const bool whole = in[1] >= 1.0 && in[1] <= kMaxImageOrder && in[1] == std::floor(in[1]);
+	return !whole ? "n must be a whole number from 1 to " + std::to_string(kMaxImageOrder) : reject_place(in);
+}
+
+std::string reject_deflection(Inputs in) {
+	return in[0] > 0.0 ? "" : "b must be > 0";
+}
+
+} // namespace
+
+const std::vector<ReferenceKind> &reference_kinds() {
+	static const std::vector<ReferenceKind> kinds = {
+			{"inverse_static", 2,
+					{"u_o", "Phi", "sigma", "sigma_minus_crit", "a", "xi_rain", "xi_rain_minus_shadow",
+							"dxi_rain_dPhi", "mu_rain", "g_rain", "xi_static", "xi_static_minus_shadow",
+							"dxi_static_dPhi", "mu_static"},
+					reject_inverse, exact_columns::inverse_static},
+			{"inverse_rain", 2,
+					{"u_o", "Phi", "sigma", "sigma_minus_crit", "a", "xi_rain", "xi_rain_minus_shadow",
+							"dxi_rain_dPhi", "mu_rain", "g_rain"},
+					reject_inverse, exact_columns::inverse_rain},
+			{"forward_static", 2, {"u_o", "xi_static", "xi_minus_shadow", "Phi", "dPhi_dxi", "a", "sigma"},
+					reject_forward, exact_columns::forward_static},
+			{"forward_rain", 2,
+					{"u_o", "xi_rain", "xi_minus_shadow", "Phi", "dPhi_dxi", "a", "sigma", "g_rain"},
+					reject_forward, exact_columns::forward_rain},
+			{"images", 3,
+					{"u_o", "phi", "order", "Phi", "side", "xi_rain", "mu_rain", "g_rain", "xi_static",
+							"mu_static", "g_static"},
+					reject_images, exact_columns::images},
+			{"rings", 2, {"u_o", "n", "xi_rain", "xi_rain_minus_shadow", "xi_static", "a"}, reject_rings,
+					exact_columns::rings},
+			{"shadow", 1, {"u_o", "xi_shadow_rain", "xi_shadow_static"}, reject_place, exact_columns::shadow},
+			{"deflection", 1, {"b", "b_over_bc_minus_1", "alpha", "alpha_weak4", "alpha_strong", "r_min"},
+					reject_deflection, exact_columns::deflection},
+	};
+	return kinds;
+}
+
+const ReferenceKind *find_reference_kind(const std::string &name) {
+	for (const ReferenceKind &kind : reference_kinds()) {
+		if (kind.name == name) {
+			return &kind;
+		}
+	}
+	return nullptr;
+}
+
+Outcome<std::vector<std::vector<double>>> reference_inputs(const ReferenceKind &kind, const CsvTable &table) {
+	using Result = Outcome<std::vector<std::vector<double>>>;
+	std::vector<std::vector<double>> rows(table.row_count());
+	for (std::size_t input = 0; input < kind.input_count; ++input) {
+		const auto column = table.column(kind.columns[input], true);
+		if (!column) {
+			return Result::failure(column.error);
+		}
+		for (std::size_t row = 0; row < rows.size(); ++row) {
+			rows[row].push_back((*column.value)[row]);
+		}
+	}
+	for (std::size_t row = 0; row < rows.size(); ++row) {
+		const std::string complaint = kind.reject(rows[row]);
+		if (!complaint.empty()) {
+			return Result::failure(
+					table.name() + " line " + std::to_string(table.line_of(row)) + ": " + complaint);
+		}
+	}
+	return Result::success(std::move(rows));
+}
+
+} // namespace blackhole
