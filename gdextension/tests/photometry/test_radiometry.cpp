@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "core/photometry/constants.h"
+#include "core/photometry/radiometry.h"
+
+namespace blackhole {
+namespace {
+
+constexpr double kSixtyDegrees = std::numbers::pi / 3.0;
+
+/// Solid angle of the rectangle [x0, x1] x [y0, y1] in a plane at distance 1, exact.
+double rectangle(double p_x0, double p_x1, double p_y0, double p_y1) {
+	const auto corner = [](double p_x, double p_y) {
+		return std::atan(p_x * p_y / std::sqrt(1.0 + p_x * p_x + p_y * p_y));
+	};
+	return corner(p_x1, p_y1) - corner(p_x0, p_y1) - corner(p_x1, p_y0) + corner(p_x0, p_y0);
+}
+
+TEST(Radiometry, ReferencePixel) {
+	EXPECT_DOUBLE_EQ(pixel_solid_angle(kSixtyDegrees, 720), kReferenceSolidAngle);
+	EXPECT_NEAR(star_luminance_sum(0.0, kReferenceSolidAngle), 30.0, 1e-12);
+	EXPECT_NEAR(star_luminance_sum(5.0, kReferenceSolidAngle), 0.3, 1e-12);
+}
+
+TEST(Radiometry, PixelOffTheAxis) {
+	const double side = 2.0 * std::tan(kSixtyDegrees / 2.0) / 720;
+	for (const glm::dvec2 place : {glm::dvec2(0.0, 0.0), glm::dvec2(1.0, 0.5), glm::dvec2(-0.3, -0.57)}) {
+		const double exact =
+				rectangle(place.x - side / 2, place.x + side / 2, place.y - side / 2, place.y + side / 2);
+		EXPECT_NEAR(pixel_solid_angle(kSixtyDegrees, 720, place) / exact, 1.0, 1e-5);
+	}
+}
+
+TEST(Radiometry, StarsAndSurfacesAgree) {
+	// N stars of magnitude V spread over a solid angle W shine like a surface of V - 2.5 log10(N/W).
+	const double solid_angle = 1e-3;
+	const double stars = 5000.0;
+	const double pixel = 1e-7;
+	const double by_stars = stars * star_luminance_sum(10.0, pixel) * pixel / solid_angle;
+	const double magnitude = 10.0 - 2.5 * std::log10(stars / (solid_angle / kSquareArcsecond));
+	EXPECT_NEAR(by_stars / surface_luminance(magnitude), 1.0, 1e-12);
+}
+
+TEST(Radiometry, AngularRadii) {
+	const PlanckTable planck;
+	EXPECT_NEAR(star_angular_radius(kSolarMagnitude, kSolarTemperature, planck), kSolarAngularRadius, 1e-12);
+	// Measured limb-darkened angular diameters in milliarcseconds; a star is no black body, hence 20 %.
+	const double mas = std::numbers::pi / 180.0 / 3.6e6;
+	EXPECT_NEAR(2.0 * star_angular_radius(-1.44, 9940.0, planck) / mas, 6.04, 1.2) << "Sirius";
+	EXPECT_NEAR(2.0 * star_angular_radius(0.03, 9600.0, planck) / mas, 3.33, 0.67) << "Vega";
+	EXPECT_NEAR(2.0 * star_angular_radius(-0.01, 5790.0, planck) / mas, 8.5, 1.7) << "Alpha Centauri A";
+}
+
+} // namespace
+} // namespace blackhole
