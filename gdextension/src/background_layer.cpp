@@ -35,9 +35,10 @@ void BackgroundLayer::ensure() {
 		return;
 	}
 	RenderingServer *server = RenderingServer::get_singleton();
-	lensed_shader =
-			ResourceLoader::get_singleton()->load("res://addons/blackhole_sky/shaders/background_lensed.gdshader");
-	flat_shader = ResourceLoader::get_singleton()->load("res://addons/blackhole_sky/shaders/background_flat.gdshader");
+	lensed_shader = ResourceLoader::get_singleton()->load(
+			"res://addons/blackhole_sky/shaders/background_lensed.gdshader");
+	flat_shader = ResourceLoader::get_singleton()->load(
+			"res://addons/blackhole_sky/shaders/background_flat.gdshader");
 	material = server->material_create();
 	server->material_set_render_priority(material, kRenderPriority);
 	quad = make_screen_mesh(server);
@@ -101,7 +102,8 @@ void BackgroundLayer::apply(const SkySettings &settings) {
 	ensure();
 	RenderingServer *server = RenderingServer::get_singleton();
 	exposure = settings.exposure;
-	server->material_set_shader(material, settings.lensing ? lensed_shader->get_rid() : flat_shader->get_rid());
+	server->material_set_shader(
+			material, settings.lensing ? lensed_shader->get_rid() : flat_shader->get_rid());
 	server->material_set_param(material, "_hole_position", settings.hole_position);
 	server->material_set_param(material, "_inverse_radius", settings.inverse_radius);
 	server->material_set_param(material, "_observer_motion", settings.observer_motion);

@@ -5,9 +5,9 @@
 #include <chrono>
 #include <cmath>
 
-#include <godot_cpp/classes/environment.hpp>
 #include <godot_cpp/classes/rendering_server.hpp>
 #include <godot_cpp/classes/viewport.hpp>
+#include <godot_cpp/classes/window.hpp>
 #include <godot_cpp/classes/world3d.hpp>
 #include <godot_cpp/variant/callable_method_pointer.hpp>
 
@@ -30,7 +30,7 @@ void BlackHoleSky::enter_world() {
 	star_layer.set_shown(stars_visible && is_visible_in_tree());
 	background_layer.set_shown(is_visible_in_tree());
 	SceneTree *tree = get_tree();
-	eye_tracker.scan(Object::cast_to<Node>(tree->get_root()));
+	eye_tracker.scan(tree->get_root());
 	tree->connect("node_added", callable_mp(this, &BlackHoleSky::node_added));
 	tree->connect("node_removed", callable_mp(this, &BlackHoleSky::node_removed));
 	// The last moment before drawing: cameras have moved by then, so nothing lags a frame behind.

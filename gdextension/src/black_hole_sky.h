@@ -13,8 +13,8 @@
 #include "src/star_catalogue.h"
 #include "src/star_layer.h"
 
-/// A Schwarzschild black hole at the node's place and the sky as its light bends it, right for every camera and eye
-/// that looks at the node's world.
+/// A Schwarzschild black hole at the node's place and the sky as its light bends it, right for every camera
+/// and eye that looks at the node's world.
 class BlackHoleSky : public godot::Node3D {
 	GDCLASS(BlackHoleSky, godot::Node3D)
 

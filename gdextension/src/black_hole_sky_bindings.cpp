@@ -11,26 +11,30 @@ using namespace godot;
 PackedStringArray BlackHoleSky::_get_configuration_warnings() const {
 	PackedStringArray warnings;
 	if (table.is_null() || !table->is_ready()) {
-		warnings.push_back("There is no lensing table, so light goes straight. Give `table` a LensingTable whose "
-						   "source_file is res://addons/blackhole_sky/data/schwarzschild.lut, or call its bake().");
+		warnings.push_back(
+				"There is no lensing table, so light goes straight. Give `table` a LensingTable whose "
+				"source_file is res://addons/blackhole_sky/data/schwarzschild.lut, or call its bake().");
 	}
 	if (catalogue.is_null() || catalogue->get_star_count() == 0) {
 		warnings.push_back("There are no stars. Give `catalogue` a StarCatalogue whose source_file is "
 						   "res://addons/blackhole_sky/data/hipparcos.stars or a CSV file.");
 	}
 	if (background == BACKGROUND_PANORAMA && panorama.is_null()) {
-		warnings.push_back("The background is a panorama, but none is set. Set `panorama`, or choose another background.");
+		warnings.push_back("The background is a panorama, but none is set. Set `panorama`, or choose another "
+						   "background.");
 	}
 	if (!is_inside_tree()) {
 		return warnings;
 	}
 	const Vector3 scale = get_global_transform().basis.get_scale();
 	if (!scale.is_equal_approx(Vector3(1, 1, 1))) {
-		warnings.push_back("The node is scaled, which changes nothing here. Set the size by `schwarzschild_radius`.");
+		warnings.push_back(
+				"The node is scaled, which changes nothing here. Set the size by `schwarzschild_radius`.");
 	}
 	if (!get_viewport()->is_using_hdr_2d()) {
-		warnings.push_back("The viewport has no HDR 2D buffer, so faint stars are lost in the Mobile renderer. Switch "
-						   "on the project setting rendering/viewport/hdr_2d (or the SubViewport's use_hdr_2d).");
+		warnings.push_back(
+				"The viewport has no HDR 2D buffer, so faint stars are lost in the Mobile renderer. Switch "
+				"on the project setting rendering/viewport/hdr_2d (or the SubViewport's use_hdr_2d).");
 	}
 	const Ref<Environment> environment = get_world_3d()->get_environment();
 	if (environment.is_valid()) {
@@ -41,14 +45,16 @@ PackedStringArray BlackHoleSky::_get_configuration_warnings() const {
 			warnings.push_back("The environment's fog would veil the sky. Switch it off.");
 		}
 		if (environment->get_background() == Environment::BG_SKY) {
-			warnings.push_back("The environment draws a sky of its own, unbent. Set its background to Custom Color, black.");
+			warnings.push_back("The environment draws a sky of its own, unbent. Set its background to Custom "
+							   "Color, black.");
 		}
 	}
 	return warnings;
 }
 
 void BlackHoleSky::_bind_methods() {
-	ClassDB::bind_method(D_METHOD("set_schwarzschild_radius", "metres"), &BlackHoleSky::set_schwarzschild_radius);
+	ClassDB::bind_method(
+			D_METHOD("set_schwarzschild_radius", "metres"), &BlackHoleSky::set_schwarzschild_radius);
 	ClassDB::bind_method(D_METHOD("get_schwarzschild_radius"), &BlackHoleSky::get_schwarzschild_radius);
 	ClassDB::bind_method(D_METHOD("set_lensing", "fraction"), &BlackHoleSky::set_lensing);
 	ClassDB::bind_method(D_METHOD("get_lensing"), &BlackHoleSky::get_lensing);
@@ -74,7 +80,8 @@ void BlackHoleSky::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_background"), &BlackHoleSky::get_background);
 	ClassDB::bind_method(D_METHOD("set_panorama", "texture"), &BlackHoleSky::set_panorama);
 	ClassDB::bind_method(D_METHOD("get_panorama"), &BlackHoleSky::get_panorama);
-	ClassDB::bind_method(D_METHOD("set_panorama_luminance", "luminance"), &BlackHoleSky::set_panorama_luminance);
+	ClassDB::bind_method(
+			D_METHOD("set_panorama_luminance", "luminance"), &BlackHoleSky::set_panorama_luminance);
 	ClassDB::bind_method(D_METHOD("get_panorama_luminance"), &BlackHoleSky::get_panorama_luminance);
 	ClassDB::bind_method(D_METHOD("set_render_layers", "layers"), &BlackHoleSky::set_render_layers);
 	ClassDB::bind_method(D_METHOD("get_render_layers"), &BlackHoleSky::get_render_layers);
@@ -86,35 +93,40 @@ void BlackHoleSky::_bind_methods() {
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "schwarzschild_radius", PROPERTY_HINT_RANGE,
 						 "0.001,1000,0.001,or_greater,exp,suffix:m"),
 			"set_schwarzschild_radius", "get_schwarzschild_radius");
-	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "lensing", PROPERTY_HINT_RANGE, "0,1,0.001"), "set_lensing", "get_lensing");
-	ADD_PROPERTY(PropertyInfo(Variant::INT, "observer_motion", PROPERTY_HINT_ENUM, "Static,Rain"), "set_observer_motion",
-			"get_observer_motion");
-	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "table", PROPERTY_HINT_RESOURCE_TYPE, "LensingTable"), "set_table",
-			"get_table");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "lensing", PROPERTY_HINT_RANGE, "0,1,0.001"), "set_lensing",
+			"get_lensing");
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "observer_motion", PROPERTY_HINT_ENUM, "Static,Rain"),
+			"set_observer_motion", "get_observer_motion");
+	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "table", PROPERTY_HINT_RESOURCE_TYPE, "LensingTable"),
+			"set_table", "get_table");
 	ADD_GROUP("Stars", "");
 	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "catalogue", PROPERTY_HINT_RESOURCE_TYPE, "StarCatalogue"),
 			"set_catalogue", "get_catalogue");
 	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "stars_visible"), "set_stars_visible", "are_stars_visible");
-	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "magnitude_limit", PROPERTY_HINT_RANGE, "-2,15,0.1,or_greater,suffix:mag"),
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "magnitude_limit", PROPERTY_HINT_RANGE,
+						 "-2,15,0.1,or_greater,suffix:mag"),
 			"set_magnitude_limit", "get_magnitude_limit");
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "image_orders", PROPERTY_HINT_RANGE, "1,4"), "set_image_orders",
 			"get_image_orders");
-	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "psf_sigma", PROPERTY_HINT_RANGE, "0.5,5,0.05,or_greater,suffix:px"),
+	ADD_PROPERTY(
+			PropertyInfo(Variant::FLOAT, "psf_sigma", PROPERTY_HINT_RANGE, "0.5,5,0.05,or_greater,suffix:px"),
 			"set_psf_sigma", "get_psf_sigma");
-	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "faint_limit", PROPERTY_HINT_RANGE, "0.000001,0.01,0.000001,exp"),
+	ADD_PROPERTY(
+			PropertyInfo(Variant::FLOAT, "faint_limit", PROPERTY_HINT_RANGE, "0.000001,0.01,0.000001,exp"),
 			"set_faint_limit", "get_faint_limit");
 	ADD_GROUP("Picture", "");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "exposure", PROPERTY_HINT_RANGE,
 						 "-10,10,0.1,or_less,or_greater,suffix:EV"),
 			"set_exposure", "get_exposure");
-	ADD_PROPERTY(PropertyInfo(Variant::INT, "background", PROPERTY_HINT_ENUM, "None,Grid,Panorama"), "set_background",
-			"get_background");
-	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "panorama", PROPERTY_HINT_RESOURCE_TYPE, "Texture2D"), "set_panorama",
-			"get_panorama");
-	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "panorama_luminance", PROPERTY_HINT_RANGE, "0,10,0.001,or_greater"),
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "background", PROPERTY_HINT_ENUM, "None,Grid,Panorama"),
+			"set_background", "get_background");
+	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "panorama", PROPERTY_HINT_RESOURCE_TYPE, "Texture2D"),
+			"set_panorama", "get_panorama");
+	ADD_PROPERTY(
+			PropertyInfo(Variant::FLOAT, "panorama_luminance", PROPERTY_HINT_RANGE, "0,10,0.001,or_greater"),
 			"set_panorama_luminance", "get_panorama_luminance");
-	ADD_PROPERTY(PropertyInfo(Variant::INT, "render_layers", PROPERTY_HINT_LAYERS_3D_RENDER), "set_render_layers",
-			"get_render_layers");
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "render_layers", PROPERTY_HINT_LAYERS_3D_RENDER),
+			"set_render_layers", "get_render_layers");
 
 	BIND_ENUM_CONSTANT(BACKGROUND_NONE);
 	BIND_ENUM_CONSTANT(BACKGROUND_GRID);

@@ -20,8 +20,8 @@ public:
 	void remove(godot::Node *node);
 	void clear() { viewports.clear(); }
 
-	/// Places of all current cameras of `world`, world coordinates. The vector is reused: no allocation once it has
-	/// its size.
+	/// Places of all current cameras of `world`, world coordinates. The vector is reused: no allocation once
+	/// it has its size.
 	const std::vector<glm::dvec3> &eyes_in(const godot::Ref<godot::World3D> &world);
 
 private:

@@ -11,5 +11,6 @@ inline glm::dvec3 to_glm(const godot::Vector3 &v) {
 }
 
 inline godot::Vector3 to_godot(const glm::dvec3 &v) {
-	return {static_cast<godot::real_t>(v.x), static_cast<godot::real_t>(v.y), static_cast<godot::real_t>(v.z)};
+	return {static_cast<godot::real_t>(v.x), static_cast<godot::real_t>(v.y),
+			static_cast<godot::real_t>(v.z)};
 }

@@ -70,17 +70,22 @@ Error LensingTable::load_file(const String &path) {
 	source_file = path;
 	const Ref<FileAccess> file = FileAccess::open(path, FileAccess::READ);
 	if (file.is_null()) {
-		return refuse(vformat("Lensing table %s cannot be opened. Re-make it with ./run bake, or call bake().", path),
+		return refuse(
+				vformat("Lensing table %s cannot be opened. Re-make it with ./run bake, or call bake().",
+						path),
 				ERR_FILE_CANT_OPEN);
 	}
 	if (static_cast<int64_t>(file->get_length()) > kLargestFile) {
-		return refuse(vformat("Lensing table %s is larger than 16 MiB, so it is none. Re-make it with ./run bake.", path),
+		return refuse(
+				vformat("Lensing table %s is larger than 16 MiB, so it is none. Re-make it with ./run bake.",
+						path),
 				ERR_FILE_CORRUPT);
 	}
 	const PackedByteArray bytes = file->get_buffer(static_cast<int64_t>(file->get_length()));
 	const CharString name = path.utf8();
 	blackhole::Outcome<blackhole::LensingTables> read = blackhole::read_lensing_tables(
-			std::span<const std::uint8_t>(bytes.ptr(), static_cast<std::size_t>(bytes.size())), name.get_data());
+			std::span<const std::uint8_t>(bytes.ptr(), static_cast<std::size_t>(bytes.size())),
+			name.get_data());
 	if (!read) {
 		return refuse(String::utf8(read.error.c_str()), ERR_FILE_CORRUPT);
 	}
@@ -90,7 +95,8 @@ Error LensingTable::load_file(const String &path) {
 
 Error LensingTable::save_file(const String &path) const {
 	if (!tables) {
-		UtilityFunctions::push_error("LensingTable.save_file: there is no table yet; load or bake one first.");
+		UtilityFunctions::push_error(
+				"LensingTable.save_file: there is no table yet; load or bake one first.");
 		return ERR_UNCONFIGURED;
 	}
 	const std::vector<std::uint8_t> content = blackhole::write_lensing_tables(*tables);
@@ -99,7 +105,8 @@ Error LensingTable::save_file(const String &path) const {
 	std::copy(content.begin(), content.end(), bytes.ptrw());
 	const Ref<FileAccess> file = FileAccess::open(path, FileAccess::WRITE);
 	if (file.is_null() || !file->store_buffer(bytes)) {
-		UtilityFunctions::push_error(vformat("Lensing table %s cannot be written. Check folder and disk.", path));
+		UtilityFunctions::push_error(
+				vformat("Lensing table %s cannot be written. Check folder and disk.", path));
 		return ERR_FILE_CANT_WRITE;
 	}
 	return OK;
@@ -209,8 +216,8 @@ void LensingTable::_bind_methods() {
 	ClassDB::bind_static_method(
 			"LensingTable", D_METHOD("trace", "position", "view_direction", "motion"), &LensingTable::trace);
 
-	ADD_PROPERTY(
-			PropertyInfo(Variant::STRING, "source_file", PROPERTY_HINT_FILE, "*.lut"), "set_source_file", "get_source_file");
+	ADD_PROPERTY(PropertyInfo(Variant::STRING, "source_file", PROPERTY_HINT_FILE, "*.lut"), "set_source_file",
+			"get_source_file");
 	ADD_SIGNAL(MethodInfo("bake_finished", PropertyInfo(Variant::BOOL, "completed")));
 	BIND_ENUM_CONSTANT(MOTION_STATIC);
 	BIND_ENUM_CONSTANT(MOTION_RAIN);

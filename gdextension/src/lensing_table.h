@@ -16,8 +16,8 @@
 
 #include "core/tables/lensing_tables.h"
 
-/// The two small tables from which the shaders bend light (star -> direction, direction -> sky), read from a .lut
-/// file or baked on a worker thread, and the exact solution they approximate.
+/// The two small tables from which the shaders bend light (star -> direction, direction -> sky), read from a
+/// .lut file or baked on a worker thread, and the exact solution they approximate.
 class LensingTable : public godot::Resource {
 	GDCLASS(LensingTable, godot::Resource)
 

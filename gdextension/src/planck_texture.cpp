@@ -16,7 +16,8 @@ godot::Ref<godot::ImageTexture> &shared_texture() {
 godot::Ref<godot::ImageTexture> planck_texture() {
 	godot::Ref<godot::ImageTexture> &texture = shared_texture();
 	if (texture.is_null()) {
-		texture = make_float_texture(blackhole::bake_planck_table(), blackhole::kPlanckTableSize, 1);
+		texture = make_float_texture(
+				blackhole::bake_planck_table(), static_cast<int>(blackhole::kPlanckTableSize), 1);
 	}
 	return texture;
 }

@@ -65,11 +65,12 @@ Error StarCatalogue::load_file(const String &path) {
 	}
 	const PackedByteArray bytes = file->get_buffer(static_cast<int64_t>(file->get_length()));
 	const CharString name = path.utf8();
+	const auto size = static_cast<std::size_t>(bytes.size());
 	const std::string_view file_name(name.get_data());
-	const std::span<const std::uint8_t> content(bytes.ptr(), static_cast<std::size_t>(bytes.size()));
 	blackhole::Outcome<blackhole::StarTable> read = path.get_extension().to_lower() == "csv"
-			? blackhole::read_star_csv(content, file_name)
-			: blackhole::read_star_file(content, file_name);
+			? blackhole::read_star_csv(
+					  std::string_view(reinterpret_cast<const char *>(bytes.ptr()), size), file_name)
+			: blackhole::read_star_file(std::span<const std::uint8_t>(bytes.ptr(), size), file_name);
 	if (!read) {
 		return refuse(String::utf8(read.error.c_str()));
 	}
@@ -83,20 +84,23 @@ Error StarCatalogue::set_stars(const PackedVector3Array &directions, const Packe
 		const PackedFloat32Array &temperatures) {
 	if (directions.size() != magnitudes.size() ||
 			(temperatures.size() != 0 && temperatures.size() != directions.size())) {
-		return refuse("StarCatalogue.set_stars: the arrays differ in length; give each star a direction and a "
-					  "magnitude, and either all temperatures or none.");
+		return refuse(
+				"StarCatalogue.set_stars: the arrays differ in length; give each star a direction and a "
+				"magnitude, and either all temperatures or none.");
 	}
 	blackhole::StarTable table;
 	table.stars.reserve(static_cast<std::size_t>(directions.size()));
 	for (int64_t i = 0; i < directions.size(); ++i) {
 		const glm::dvec3 direction = to_glm(directions[i]);
 		const double length = glm::length(direction);
-		const float temperature = temperatures.size() != 0 ? temperatures[i] : blackhole::kTemperatureWithoutColour;
-		if (!(length > 0.0) || !std::isfinite(length) || !std::isfinite(magnitudes[i]) || !(temperature > 0.0F) ||
-				!std::isfinite(temperature)) {
-			return refuse(vformat("StarCatalogue.set_stars: star %d has a direction, magnitude or temperature that "
-								  "is no number or out of range; nothing was taken over.",
-					i));
+		const float temperature =
+				temperatures.size() != 0 ? temperatures[i] : blackhole::kTemperatureWithoutColour;
+		if (!(length > 0.0) || !std::isfinite(length) || !std::isfinite(magnitudes[i]) ||
+				!(temperature > 0.0F) || !std::isfinite(temperature)) {
+			return refuse(
+					vformat("StarCatalogue.set_stars: star %d has a direction, magnitude or temperature that "
+							"is no number or out of range; nothing was taken over.",
+							i));
 		}
 		blackhole::Star star;
 		star.right_ascension = right_ascension_of(direction);
@@ -161,8 +165,8 @@ void StarCatalogue::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("set_source_file", "path"), &StarCatalogue::set_source_file);
 	ClassDB::bind_method(D_METHOD("get_source_file"), &StarCatalogue::get_source_file);
 	ClassDB::bind_method(D_METHOD("load_file", "path"), &StarCatalogue::load_file);
-	ClassDB::bind_method(D_METHOD("set_stars", "directions", "magnitudes", "temperatures"), &StarCatalogue::set_stars,
-			DEFVAL(PackedFloat32Array()));
+	ClassDB::bind_method(D_METHOD("set_stars", "directions", "magnitudes", "temperatures"),
+			&StarCatalogue::set_stars, DEFVAL(PackedFloat32Array()));
 	ClassDB::bind_method(D_METHOD("get_star_count"), &StarCatalogue::get_star_count);
 	ClassDB::bind_method(D_METHOD("count_to_magnitude", "magnitude"), &StarCatalogue::count_to_magnitude);
 	ClassDB::bind_method(D_METHOD("get_error_message"), &StarCatalogue::get_error_message);
@@ -175,6 +179,6 @@ void StarCatalogue::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_star_name", "index"), &StarCatalogue::get_star_name);
 	ClassDB::bind_method(D_METHOD("find_hip", "hip"), &StarCatalogue::find_hip);
 
-	ADD_PROPERTY(PropertyInfo(Variant::STRING, "source_file", PROPERTY_HINT_FILE, "*.stars,*.csv"), "set_source_file",
-			"get_source_file");
+	ADD_PROPERTY(PropertyInfo(Variant::STRING, "source_file", PROPERTY_HINT_FILE, "*.stars,*.csv"),
+			"set_source_file", "get_source_file");
 }

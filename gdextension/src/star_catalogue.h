@@ -27,8 +27,8 @@ public:
 	godot::String get_source_file() const { return source_file; }
 
 	godot::Error load_file(const godot::String &path);
-	godot::Error set_stars(const godot::PackedVector3Array &directions, const godot::PackedFloat32Array &magnitudes,
-			const godot::PackedFloat32Array &temperatures);
+	godot::Error set_stars(const godot::PackedVector3Array &directions,
+			const godot::PackedFloat32Array &magnitudes, const godot::PackedFloat32Array &temperatures);
 
 	int get_star_count() const { return static_cast<int>(stars.stars.size()); }
 	int count_to_magnitude(double magnitude) const { return static_cast<int>(stars.count_to(magnitude)); }

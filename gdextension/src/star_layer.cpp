@@ -40,14 +40,14 @@ AABB everywhere() {
 }
 
 /// The instance transform that the shader reads (see star_layer.gdshaderinc): three rows of basis and origin.
-void pack_star(const blackhole::Star &star, float *row) {
+void pack_star(const blackhole::Star &star, const blackhole::PlanckTable &planck, float *row) {
 	const glm::dvec3 direction = blackhole::world_direction(star);
-	const double log_luminance = blackhole::planck_log_luminance(star.temperature_k);
-	const double radius = blackhole::star_angular_radius(star.v_magnitude, star.temperature_k);
-	const float values[kFloatsPerStar] = {
-			std::pow(10.0F, -0.4F * star.v_magnitude), static_cast<float>(radius), 0.0F, static_cast<float>(direction.x),
-			star.temperature_k, star.v_magnitude, 0.0F, static_cast<float>(direction.y),
-			static_cast<float>(log_luminance), 0.0F, 0.0F, static_cast<float>(direction.z)};
+	const double log_luminance = planck.log2_luminance(star.temperature_k);
+	const double radius = blackhole::star_angular_radius(star.v_magnitude, star.temperature_k, planck);
+	const float values[kFloatsPerStar] = {std::pow(10.0F, -0.4F * star.v_magnitude),
+			static_cast<float>(radius), 0.0F, static_cast<float>(direction.x), star.temperature_k,
+			star.v_magnitude, 0.0F, static_cast<float>(direction.y), static_cast<float>(log_luminance), 0.0F,
+			0.0F, static_cast<float>(direction.z)};
 	std::copy(std::begin(values), std::end(values), row);
 }
 
@@ -58,8 +58,10 @@ void StarLayer::ensure_materials() {
 		return;
 	}
 	RenderingServer *server = RenderingServer::get_singleton();
-	lensed_shader = ResourceLoader::get_singleton()->load("res://addons/blackhole_sky/shaders/stars_lensed.gdshader");
-	flat_shader = ResourceLoader::get_singleton()->load("res://addons/blackhole_sky/shaders/stars_flat.gdshader");
+	lensed_shader =
+			ResourceLoader::get_singleton()->load("res://addons/blackhole_sky/shaders/stars_lensed.gdshader");
+	flat_shader =
+			ResourceLoader::get_singleton()->load("res://addons/blackhole_sky/shaders/stars_flat.gdshader");
 	sprite = make_sprite_mesh(server);
 	for (int order = 0; order < kMaxOrders; ++order) {
 		const RID material = server->material_create();
@@ -73,6 +75,7 @@ void StarLayer::build(const blackhole::StarTable &table) {
 	clear();
 	ensure_materials();
 	RenderingServer *server = RenderingServer::get_singleton();
+	const blackhole::PlanckTable planck;
 	groups = blackhole::group_stars(table);
 	cells.resize(groups.size());
 	for (std::size_t g = 0; g < groups.size(); ++g) {
@@ -83,13 +86,13 @@ void StarLayer::build(const blackhole::StarTable &table) {
 		float *row = buffer.ptrw();
 		cell.magnitudes.reserve(members.size());
 		for (const uint32_t member : members) {
-			pack_star(table.stars[member], row);
+			pack_star(table.stars[member], planck, row);
 			cell.magnitudes.push_back(table.stars[member].v_magnitude);
 			row += kFloatsPerStar;
 		}
 		cell.multimesh = server->multimesh_create();
-		server->multimesh_allocate_data(
-				cell.multimesh, static_cast<int32_t>(members.size()), RenderingServer::MULTIMESH_TRANSFORM_3D);
+		server->multimesh_allocate_data(cell.multimesh, static_cast<int32_t>(members.size()),
+				RenderingServer::MULTIMESH_TRANSFORM_3D);
 		server->multimesh_set_mesh(cell.multimesh, sprite);
 		server->multimesh_set_custom_aabb(cell.multimesh, everywhere());
 		server->multimesh_set_buffer(cell.multimesh, buffer);
@@ -98,8 +101,10 @@ void StarLayer::build(const blackhole::StarTable &table) {
 			server->instance_set_base(instance, cell.multimesh);
 			server->instance_set_custom_aabb(instance, everywhere());
 			server->instance_set_visible(instance, false);
-			server->instance_geometry_set_material_override(instance, materials[static_cast<std::size_t>(order)]);
-			server->instance_geometry_set_cast_shadows_setting(instance, RenderingServer::SHADOW_CASTING_SETTING_OFF);
+			server->instance_geometry_set_material_override(
+					instance, materials[static_cast<std::size_t>(order)]);
+			server->instance_geometry_set_cast_shadows_setting(
+					instance, RenderingServer::SHADOW_CASTING_SETTING_OFF);
 			if (scenario.is_valid()) {
 				server->instance_set_scenario(instance, scenario);
 			}
@@ -154,7 +159,8 @@ void StarLayer::set_textures(const RID &inverse_table, const RID &planck_table) 
 void StarLayer::show(Cell &cell, int order) {
 	const auto o = static_cast<std::size_t>(order);
 	const int orders = current.lensing ? current.image_orders : 1;
-	const bool visible = layer_shown && cell.drawn > 0 && order < orders && (cell.wanted[o] || !current.lensing);
+	const bool visible =
+			layer_shown && cell.drawn > 0 && order < orders && (cell.wanted[o] || !current.lensing);
 	if (visible != cell.visible[o]) {
 		cell.visible[o] = visible;
 		RenderingServer::get_singleton()->instance_set_visible(cell.instances[o], visible);
@@ -187,7 +193,7 @@ void StarLayer::apply(const SkySettings &settings) {
 		server->material_set_param(material, "_inverse_radius", settings.inverse_radius);
 		server->material_set_param(material, "_observer_motion", settings.observer_motion);
 		server->material_set_param(material, "_sky_to_world", settings.sky_to_world);
-		server->material_set_param(material, "_exposure", blackhole::kStarLuminance * settings.exposure);
+		server->material_set_param(material, "_exposure", blackhole::kStarGain * settings.exposure);
 		server->material_set_param(material, "_psf_sigma", settings.psf_sigma);
 		server->material_set_param(material, "_faint_limit", settings.faint_limit);
 		server->material_set_param(

@@ -11,8 +11,8 @@
 #include "core/culling/star_groups.h"
 #include "src/sky_settings.h"
 
-/// Draws a catalogue: one MultiMesh per star group, one instance of it per image order. Owns what it makes on the
-/// RenderingServer.
+/// Draws a catalogue: one MultiMesh per star group, one instance of it per image order. Owns what it makes on
+/// the RenderingServer.
 class StarLayer {
 public:
 	static constexpr int kMaxOrders = 4;

@@ -13,7 +13,7 @@ namespace {
 
 struct Level {
 	std::size_t first_rank; // the brightest star of the level
-	int divisions; // cells along a cube face's edge; 0: the whole sky is one cell
+	int divisions;          // cells along a cube face's edge; 0: the whole sky is one cell
 };
 
 constexpr std::array<Level, 4> kLevels = {{{0, 0}, {1024, 1}, {8192, 2}, {32768, 4}}};
@@ -60,7 +60,8 @@ void bound(const StarTable &table, StarGroup &group) {
 	group.centre = length > 0.0 ? sum / length : glm::dvec3(1.0, 0.0, 0.0);
 	double nearest_cosine = 1.0;
 	for (const std::uint32_t index : group.stars) {
-		nearest_cosine = std::min(nearest_cosine, glm::dot(group.centre, world_direction(table.stars[index])));
+		nearest_cosine =
+				std::min(nearest_cosine, glm::dot(group.centre, world_direction(table.stars[index])));
 	}
 	group.angular_radius = std::acos(std::clamp(nearest_cosine, -1.0, 1.0)) + 1e-9;
 }

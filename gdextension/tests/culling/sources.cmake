@@ -1,0 +1,4 @@
+# SPDX-License-Identifier: MIT
+blackhole_add_test(test_culling
+	${CMAKE_CURRENT_LIST_DIR}/test_image_bound.cpp
+	${CMAKE_CURRENT_LIST_DIR}/test_star_groups.cpp)

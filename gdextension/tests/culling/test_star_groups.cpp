@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "core/culling/star_groups.h"
+
+#include "core/catalogue/star.h"
+
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+namespace blackhole {
+namespace {
+
+StarTable random_table(std::size_t count) {
+	std::mt19937_64 random(7);
+	std::uniform_real_distribution<double> unit(0.0, 1.0);
+	StarTable table;
+	for (std::size_t i = 0; i < count; ++i) {
+		Star star;
+		star.right_ascension = 2.0 * std::numbers::pi * unit(random);
+		star.declination = std::asin(2.0 * unit(random) - 1.0);
+		star.v_magnitude = static_cast<float>(14.0 * std::sqrt(unit(random)));
+		star.temperature_k = static_cast<float>(2500.0 + 20000.0 * unit(random));
+		table.stars.push_back(star);
+	}
+	table.sort_by_magnitude();
+	return table;
+}
+
+TEST(StarGroups, EveryStarIsInExactlyOneGroupAndInsideItsBounds) {
+	const StarTable table = random_table(60000);
+	std::vector<int> seen(table.stars.size(), 0);
+	for (const StarGroup &group : group_stars(table)) {
+		ASSERT_FALSE(group.stars.empty());
+		std::uint32_t previous = group.stars.front();
+		for (const std::uint32_t index : group.stars) {
+			const Star &star = table.stars[index];
+			++seen[index];
+			EXPECT_GE(index, previous) << "brightest first";
+			EXPECT_GE(star.v_magnitude, group.brightest_v);
+			EXPECT_GE(star.temperature_k, group.coolest_k);
+			EXPECT_LE(star.temperature_k, group.hottest_k);
+			EXPECT_GE(glm::dot(group.centre, world_direction(star)), std::cos(group.angular_radius) - 1e-12);
+			previous = index;
+		}
+	}
+	for (const int count : seen) {
+		ASSERT_EQ(count, 1);
+	}
+}
+
+TEST(StarGroups, FaintStarsLieInSmallCells) {
+	const std::vector<StarGroup> groups = group_stars(random_table(118217));
+	EXPECT_LE(groups.size(), 127U);
+	for (const StarGroup &group : groups) {
+		if (group.stars.front() >= 32768) {
+			EXPECT_LT(group.angular_radius, 0.35);
+		}
+	}
+}
+
+TEST(StarGroups, AnEmptyCatalogueHasNoGroupAndOneStarHasOne) {
+	EXPECT_TRUE(group_stars(StarTable()).empty());
+	EXPECT_EQ(group_stars(random_table(1)).size(), 1U);
+}
+
+} // namespace
+} // namespace blackhole
