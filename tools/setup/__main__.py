@@ -6,6 +6,6 @@ from pathlib import Path
 
 sys.path[0] = str(Path(__file__).resolve().parent.parent)
 
-from setup.cli import main  # noqa: E402  (the line above makes the package importable)
+from setup.cli import main  # noqa: E402
 
 sys.exit(main(sys.argv[1:]))

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from setup.console import Failure, tail
 
-Command = Sequence["str | Path"]
+Command = Sequence[object]  # of str and Path, which a list display mixes
 
 
 def capture(command: Command, env: Mapping[str, str] | None = None) -> str | None:

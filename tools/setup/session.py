@@ -13,6 +13,7 @@ from setup.console import Failure, tail
 from setup.godot import Godot
 
 RENDERERS = ("mobile", "forward_plus", "gl_compatibility")
+_TIMEOUT_S = 3600.0
 # A script's reasons are the lines that start like this; everything else the engine prints is noise.
 _REASON = ("capture:", "bench:", "SCRIPT ERROR:")
 
@@ -34,15 +35,18 @@ def script_command(godot: Godot, script: str, renderer: str, arguments: list[str
     ])
 
 
-def run_script(godot: Godot, script: str, renderer: str, arguments: list[str], timeout_s: float = 3600) -> str:
-    """Runs a script to its end and returns what it and the engine printed; its exit status as a Failure."""
+def run_script(godot: Godot, script: str, renderer: str, arguments: list[str], base: Path | None = None) -> str:
+    """Runs a script to its end and returns what it and the engine printed; its exit status as a Failure.
+
+    The script learns `base` (else the current folder) as the place from which the visitor's relative paths count.
+    """
     paths.LOGS.mkdir(parents=True, exist_ok=True)
     name = Path(script).stem
     handle, log_name = tempfile.mkstemp(prefix=f"{name}-{renderer}-", suffix=".log", dir=paths.LOGS)
     os.close(handle)
     log = Path(log_name)
-    env = {**os.environ, "BLACKHOLE_CALLER_DIR": os.getcwd()}
-    status = process.run_logged(script_command(godot, script, renderer, arguments), log, env=env, timeout_s=timeout_s)
+    env = {**os.environ, "BLACKHOLE_CALLER_DIR": str(base or Path.cwd())}
+    status = process.run_logged(script_command(godot, script, renderer, arguments), log, env=env, timeout_s=_TIMEOUT_S)
     printed = log.read_text(encoding="utf-8", errors="replace")
     if status != 0:
         raise Failure(f"{reason(printed) or tail(log)}\n(exit status {status}; all of the output is in {log})", status)

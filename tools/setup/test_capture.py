@@ -52,31 +52,38 @@ class Capture(unittest.TestCase):
 
     def test_a_wrong_list(self) -> None:
         path = self.folder / "list.json"
-        for listed in ({"shot": "a", "out": "b"}, [], [{"shot": "a"}], [{"shot": "a", "out": 1}], ["a"]):
+        for listed in (
+            {"shot": "a", "out": "b"}, [], [{"shot": "a"}], [{"shot": "a", "out": 1}], [{"shot": 1, "out": "b"}], ["a"],
+        ):
             path.write_text(json.dumps(listed), encoding="utf-8")
             with self.subTest(listed), self.assertRaisesRegex(Failure, "list|entry 1"):
                 capture.run(["--batch", str(path)])
 
     def test_one_start_of_godot_for_each_renderer_in_use(self) -> None:
         outs = [self.folder / "out" / f"{number}.png" for number in range(3)]
-        shots = [self._shot("a.json"), self._shot("b.json", renderer="forward_plus"), self._shot("c.json")]
+        shots = ["a.json", {"position_rs": [0, 0, 9], "renderer": "forward_plus"}, "c.json"]
+        self._shot("a.json")
+        self._shot("c.json")
         path = self.folder / "list.json"
-        path.write_text(json.dumps([{"shot": s, "out": str(o)} for s, o in zip(shots, outs)]), encoding="utf-8")
-        starts: list[tuple[str, list[str]]] = []
+        path.write_text(json.dumps([{"shot": s, "out": f"out/{o.name}"} for s, o in zip(shots, outs)]), encoding="utf-8")
+        starts: list[tuple[str, list[str], Path]] = []
 
-        def draw(_godot: object, _script: str, renderer: str, arguments: list[str]) -> str:
+        def draw(_godot: object, _script: str, renderer: str, arguments: list[str], base: Path) -> str:
             drawn = [{"out": arguments[1]}]
             if arguments[0] == "--batch":
                 drawn = json.loads(Path(arguments[1]).read_text(encoding="utf-8"))
-            starts.append((renderer, [Path(entry["out"]).name for entry in drawn]))
+            starts.append((renderer, [entry["out"] for entry in drawn], base))
             for entry in drawn:
+                Path(entry["out"]).parent.mkdir(exist_ok=True)
                 Path(entry["out"]).touch()
             return ""
 
         with mock.patch("setup.prepare.project"), mock.patch("setup.session.run_script", draw), \
                 mock.patch("builtins.print") as printed:
             self.assertEqual(capture.run(["--batch", str(path)]), 0)
-        self.assertEqual(starts, [("mobile", ["0.png", "2.png"]), ("forward_plus", ["1.png"])])
+        self.assertEqual(starts, [
+            ("mobile", [str(outs[0]), str(outs[2])], self.folder), ("forward_plus", [str(outs[1])], self.folder),
+        ])
         self.assertEqual([call.args[0] for call in printed.call_args_list], outs)
 
     def test_a_picture_that_was_not_written_is_a_failure(self) -> None:

@@ -12,7 +12,7 @@ from functools import partial
 
 from setup import session
 from setup.console import Failure
-from testing import junit, programs, style
+from testing import junit, programs, scripts, style
 from testing.context import RESULTS, Context
 from testing.junit import Case
 
@@ -41,6 +41,7 @@ STAGES = [
     Stage("python", "unit tests of the tools", programs.python_stage),
     Stage("cpp", "GoogleTest on the physics", programs.cpp_stage),
     Stage("provider", "the binding provider under the address sanitizer", programs.provider_stage),
+    Stage("scripts", "scripts, scenes and shaders load without a warning", scripts.scripts_stage),
     Stage("gut", "GUT tests of the Godot classes", programs.gut_stage),
     *(
         Stage(f"render-{renderer}", f"pictures measured, {renderer}", partial(programs.render_stage, renderer=renderer))

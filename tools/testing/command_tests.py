@@ -89,14 +89,15 @@ class Capture(unittest.TestCase):
             self.assertTrue((self.folder / f"{shot}.png").is_file())
 
     def test_impossible_requests_are_refused_by_name(self) -> None:
-        for words, keys in {
+        refused: dict[str, dict[str, object]] = {
             "positon": {"positon": [0, 0, 1]},
             "resolution": {"resolution": "large"},
             "renderer": {"renderer": "vulcan"},
             "static": {"position_rs": [0, 0, 0.5], "observer": "static"},
             "nowhere.csv": {"stars": {"catalogue": "nowhere.csv"}},
             "nowhere.png": {"background": "nowhere.png"},
-        }.items():
+        }
+        for words, keys in refused.items():
             with self.subTest(words):
                 done = run("capture", self._shot("shot.json", **keys), "picture.png", cwd=self.folder)
                 self.assertNotEqual(done.returncode, 0)

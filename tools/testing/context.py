@@ -14,6 +14,7 @@ from pathlib import Path
 from setup import build, gdtoolkit, packages, paths, prepare, process, project_import
 from setup.console import Failure, tail
 from setup.godot import Godot
+from setup.process import Command
 from testing import junit
 from testing.junit import Case
 
@@ -81,7 +82,7 @@ def each_file(files: Sequence[Path], group: str, check: Callable[[Path], str]) -
         return list(pool.map(case, files))
 
 
-def complaint(command: Sequence[str | Path]) -> str:
+def complaint(command: Command) -> str:
     """What a checker prints when it is not content; empty when it exits 0."""
     done = subprocess.run(
         [str(part) for part in command], cwd=paths.ROOT, stdin=subprocess.DEVNULL,
@@ -91,7 +92,7 @@ def complaint(command: Sequence[str | Path]) -> str:
 
 
 def run_for_junit(
-    command: Sequence[str | Path], name: str, timeout_s: float, all_variants: bool = False, cwd: Path | None = None,
+    command: Command, name: str, timeout_s: float, all_variants: bool = False, cwd: Path | None = None,
     result: Path | None = None,
 ) -> list[Case]:
     """Runs a test program that writes JUnit XML to `result` (build/test-results/NAME.xml) and returns its cases.

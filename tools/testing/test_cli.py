@@ -61,5 +61,10 @@ class Main(unittest.TestCase):
 
     def test_the_long_variants_are_passed_on(self) -> None:
         seen: list[bool] = []
-        self._run(_stage("a", lambda context: seen.append(context.all_variants) or [Case("a")]), arguments=("--all",))
+
+        def look(context: Context) -> list[Case]:
+            seen.append(context.all_variants)
+            return [Case("a")]
+
+        self._run(_stage("a", look), arguments=("--all",))
         self.assertEqual(seen, [True])

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import sys
 import time
+import traceback
 import unittest
 from pathlib import Path
 from types import TracebackType
@@ -12,7 +13,7 @@ from typing import Any
 
 sys.path[0] = str(Path(__file__).resolve().parent.parent)
 
-from testing import junit  # noqa: E402  (the line above makes the package importable)
+from testing import junit  # noqa: E402
 
 _ExcInfo = tuple[type[BaseException], BaseException, TracebackType] | tuple[None, None, None]
 
@@ -40,18 +41,18 @@ class Recorder(unittest.TextTestResult):
 
     def addError(self, test: unittest.TestCase, err: _ExcInfo) -> None:
         super().addError(test, err)
-        self._trouble.append(self._exc_info_to_string(err, test))
-        if not isinstance(test, unittest.TestCase) or type(test).__name__ == "_ErrorHolder":
+        self._trouble.append(_text(err))
+        if type(test).__name__ == "_ErrorHolder":  # setUpClass or a module failed: no test was begun
             self.cases.append(junit.Case(str(test), "setup", failure=self._trouble[-1]))
 
     def addFailure(self, test: unittest.TestCase, err: _ExcInfo) -> None:
         super().addFailure(test, err)
-        self._trouble.append(self._exc_info_to_string(err, test))
+        self._trouble.append(_text(err))
 
     def addSubTest(self, test: unittest.TestCase, subtest: unittest.TestCase, err: _ExcInfo | None) -> None:
         super().addSubTest(test, subtest, err)
         if err is not None:
-            self._trouble.append(f"{subtest}\n{self._exc_info_to_string(err, test)}")
+            self._trouble.append(f"{subtest}\n{_text(err)}")
 
     def addUnexpectedSuccess(self, test: unittest.TestCase) -> None:
         super().addUnexpectedSuccess(test)
@@ -60,6 +61,10 @@ class Recorder(unittest.TextTestResult):
     def addSkip(self, test: unittest.TestCase, reason: str) -> None:
         super().addSkip(test, reason)
         self._skipped = reason
+
+
+def _text(error: _ExcInfo) -> str:
+    return "".join(traceback.format_exception(error[1])) if error[1] else "failed"
 
 
 def main(test_file: Path, out: Path) -> int:
