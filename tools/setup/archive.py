@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import os
+import re
 
 from setup import process
 from setup.console import Failure
@@ -15,13 +16,13 @@ def candidates() -> list[str]:
     """Addresses of Debian archives, best first; a Failure when apt knows none.
 
     $DEBIAN_MIRROR overrides. apt knows whose archive an address is once it has fetched the lists; on a machine
-    without lists every configured address is a candidate, and the archive's signature tells which one is Debian's.
+    without lists every configured address is a candidate, and only Debian's own passes the check of the signature.
     """
     override = os.environ.get("DEBIAN_MIRROR")
     if override:
         return [override.rstrip("/") + "/"]
-    printed = process.capture(["apt-get", "indextargets", "--format", _FORMAT, "Created-By: Packages"])
-    found = select(printed or "")
+    targets = process.capture(["apt-get", "indextargets", "--format", _FORMAT, "Created-By: Packages"])
+    found = known(targets or "") or configured(process.capture(["apt-get", "--print-uris", "update"]) or "")
     if not found:
         raise Failure(
             "Godot 4.6 or newer was not found, and this machine's apt names no Debian archive to take it from.\n"
@@ -32,19 +33,20 @@ def candidates() -> list[str]:
     return found
 
 
-def select(index_targets: str) -> list[str]:
-    """The archive addresses in the output of `apt-get indextargets`, without repetition.
+def known(index_targets: str) -> list[str]:
+    """Debian's addresses in the output of `apt-get indextargets`, without repetition.
 
     Third-party archives and the security archive, which carry no Godot, are left out.
     """
-    debian: list[str] = []
-    unknown: list[str] = []
+    found = []
     for line in index_targets.splitlines():
         origin, label, codename, address = (line.split("\t") + [""] * 4)[:4]
-        if not address or "security" in address or "security" in codename or label == "Debian-Security":
-            continue
-        if origin == "Debian":
-            debian.append(address)
-        elif not origin:
-            unknown.append(address)
-    return list(dict.fromkeys(debian or unknown))
+        if origin == "Debian" and label == "Debian" and "security" not in codename and address:
+            found.append(address)
+    return list(dict.fromkeys(found))
+
+
+def configured(uris: str) -> list[str]:
+    """The addresses in the output of `apt-get --print-uris update`: all that apt is told to use, except security."""
+    releases = re.findall(r"^'(\S+/)dists/(\S+)/InRelease'", uris, re.MULTILINE)
+    return list(dict.fromkeys(address for address, suite in releases if "security" not in suite))

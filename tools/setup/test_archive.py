@@ -13,7 +13,7 @@ def _line(origin: str, label: str, codename: str, address: str) -> str:
     return "\t".join((origin, label, codename, address))
 
 
-class Select(unittest.TestCase):
+class Addresses(unittest.TestCase):
     def test_takes_debian_alone_among_third_parties(self) -> None:
         listed = "\n".join([
             _line("Node Source", "Node Source", "nodistro", "https://node.example/"),
@@ -21,18 +21,20 @@ class Select(unittest.TestCase):
             _line("Debian", "Debian", "bookworm", _MAIN),
             _line("Debian", "Debian", "bookworm-updates", _MAIN),
         ])
-        self.assertEqual(archive.select(listed), [_MAIN])
-
-    def test_without_lists_every_configured_address_is_a_candidate(self) -> None:
-        listed = "\n".join([
-            _line("", "", "", "https://node.example/"),
-            _line("", "", "", "http://archive.example/debian-security/"),
-            _line("", "", "", _MAIN),
-        ])
-        self.assertEqual(archive.select(listed), ["https://node.example/", _MAIN])
+        self.assertEqual(archive.known(listed), [_MAIN])
 
     def test_another_distribution_has_none(self) -> None:
-        self.assertEqual(archive.select(_line("Ubuntu", "Ubuntu", "noble", "http://ubuntu.example/")), [])
+        self.assertEqual(archive.known(_line("Ubuntu", "Ubuntu", "noble", "http://ubuntu.example/")), [])
+
+    def test_without_lists_every_configured_address_is_a_candidate(self) -> None:
+        uris = "\n".join([
+            "'https://node.example/dists/nodistro/InRelease' node.example_InRelease 0 ",
+            "'http://archive.example/debian/dists/bookworm/InRelease' archive_InRelease 0 ",
+            "'http://archive.example/debian/dists/bookworm-updates/InRelease' archive_updates_InRelease 0 ",
+            "'http://archive.example/debian-security/dists/bookworm-security/InRelease' security_InRelease 0 ",
+            "'http://archive.example/debian/dists/bookworm/main/binary-amd64/Packages.xz' archive_Packages 0 ",
+        ])
+        self.assertEqual(archive.configured(uris), ["https://node.example/", _MAIN])
 
 
 class Candidates(unittest.TestCase):
