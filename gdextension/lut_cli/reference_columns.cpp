@@ -31,8 +31,7 @@ std::string reject_images(Inputs in) {
 	if (!(in[2] >= 0.0 && in[2] <= kMaxImageOrder && in[2] == std::floor(in[2]))) {
 		return "order must be a whole number from 0 to " + std::to_string(kMaxImageOrder);
 	}
-	return in[1] == 0.0 && in[2] == 0.0 ? "phi = 0 has no image of order 0 with an orbital angle"
-										: reject_place(in);
+	return reject_place(in);
 }
 
 std::string reject_rings(Inputs in) {

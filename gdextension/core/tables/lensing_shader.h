@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <vector>
+
+/// addons/blackhole_sky/shaders/lensing.gdshaderinc compiled as C++, behind plain functions. A namespace of
+/// its own, because shading languages have one flat name space. The source file behind this header is
+/// compiled with single-precision literals: neither may include headers with inline double-precision
+/// functions.
+namespace lensing_shader {
+
+/// A texture of RGBA texels as the shader sees it.
+struct Texture {
+	const std::vector<float> *texels;
+	int columns;
+};
+
+struct Ray {
+	float clearance;
+	float sigma;
+	float slope;
+};
+struct Image {
+	glm::vec3 direction;
+	float magnification;
+	float redshift;
+};
+struct Sky {
+	bool captured;
+	glm::vec3 direction;
+	float slope;
+	float redshift;
+};
+
+/// sigma_c at u.
+float shadow_sigma(float u);
+/// sigma - sigma_c, sigma and dsigma/dPhi from the inverse table, given t(Phi) and dt/dPhi.
+Ray ray_of_angle(const Texture &inverse, float u, float t, float t_slope);
+/// Phi and dPhi/dy from the forward table.
+glm::vec2 angle_of_ray(const Texture &forward, float u, float y);
+/// g of a direction in the rain frame at u, given the cosine of its angle from the outward radial.
+float rain_redshift(float u, float cosine);
+/// Image of a star in the observer's own frame.
+Image star_image(const Texture &inverse, glm::vec3 place, glm::vec3 star, int order, bool at_rest,
+		float angular_radius);
+/// Where a viewing direction of the observer's own frame ends.
+Sky trace(const Texture &forward, glm::vec3 place, glm::vec3 view_direction, bool at_rest);
+
+} // namespace lensing_shader

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#include "core/tables/shader_lensing.h"
+
+#include "core/relativity/baseline.h"
+
+namespace blackhole {
+
+ShaderLensing::Ray ShaderLensing::ray_of_angle(double u, double phi) const {
+	const Baseline at = baseline(baseline_width(u), phi);
+	const lensing_shader::Ray ray = lensing_shader::ray_of_angle({&data.inverse, data.columns},
+			static_cast<float>(u), static_cast<float>(at.t), static_cast<float>(at.t_slope));
+	return ray;
+}
+
+ShaderLensing::Angle ShaderLensing::angle_of_ray(double u, double y) const {
+	const glm::vec2 angle = lensing_shader::angle_of_ray(
+			{&data.forward, data.columns}, static_cast<float>(u), static_cast<float>(y));
+	return {angle.x, angle.y};
+}
+
+float ShaderLensing::shadow_sigma(double u) {
+	return lensing_shader::shadow_sigma(static_cast<float>(u));
+}
+
+float ShaderLensing::rain_redshift(double u, double cos_xi) {
+	return lensing_shader::rain_redshift(static_cast<float>(u), static_cast<float>(-cos_xi));
+}
+
+ShaderLensing::Image ShaderLensing::star_image(
+		glm::vec3 place, glm::vec3 star, int order, ObserverMotion motion, float angular_radius) const {
+	return lensing_shader::star_image({&data.inverse, data.columns}, place, star, order,
+			motion == ObserverMotion::kStatic, angular_radius);
+}
+
+ShaderLensing::Sky ShaderLensing::trace(
+		glm::vec3 place, glm::vec3 view_direction, ObserverMotion motion) const {
+	return lensing_shader::trace(
+			{&data.forward, data.columns}, place, view_direction, motion == ObserverMotion::kStatic);
+}
+
+} // namespace blackhole

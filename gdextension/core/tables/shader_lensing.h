@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/relativity/observer.h"
+#include "core/tables/lensing_shader.h"
+#include "core/tables/lensing_tables.h"
+
+#include <glm/vec3.hpp>
+
+namespace blackhole {
+
+/// What the graphics shaders compute, on the CPU: the very source of addons/blackhole_sky/shaders/
+/// lensing.gdshaderinc compiled as C++ in single precision, reading the same texels. For measuring the
+/// tables' error and for tests; the exact functions are in core/relativity.
+class ShaderLensing {
+public:
+	/// Keeps a reference: the tables must outlive this object.
+	explicit ShaderLensing(const LensingTables &tables) : data(tables) {}
+
+	/// sigma - sigma_c, sigma and dsigma/dPhi.
+	using Ray = lensing_shader::Ray;
+	/// The ray with orbital angle phi [rad] for the eye at u = r_s/r. The angle enters as the shader's t(Phi)
+	/// and dt/dPhi, formed in double precision: rounding a star's direction to floats is not the table's
+	/// error.
+	[[nodiscard]] Ray ray_of_angle(double u, double phi) const;
+
+	struct Angle {
+		/// Phi [rad] and dPhi/dy.
+		float phi = 0.0F;
+		float slope = 0.0F;
+	};
+	/// The orbital angle of the ray sigma = sigma_c + y, from the forward table.
+	[[nodiscard]] Angle angle_of_ray(double u, double y) const;
+
+	/// sigma_c as the shader has it.
+	[[nodiscard]] static float shadow_sigma(double u);
+
+	/// g in the rain frame at u of light from the angle xi off the hole.
+	[[nodiscard]] static float rain_redshift(double u, double cos_xi);
+
+	/// Unit direction, magnification and redshift in the observer's own frame.
+	using Image = lensing_shader::Image;
+	/// Image of order 0 to 3 of a star, all in single precision from place to result; position in r_s. The
+	/// magnification is kept finite on the caustic by the star's angular radius [rad].
+	[[nodiscard]] Image star_image(
+			glm::vec3 place, glm::vec3 star, int order, ObserverMotion motion, float angular_radius) const;
+
+	/// Whether the ray is the hole's, and if not: the sky direction seen, dPhi/dxi in the rain frame,
+	/// redshift.
+	using Sky = lensing_shader::Sky;
+	/// Where a viewing direction (observer's own frame) ends, all in single precision.
+	[[nodiscard]] Sky trace(glm::vec3 place, glm::vec3 view_direction, ObserverMotion motion) const;
+
+private:
+	const LensingTables &data;
+};
+
+} // namespace blackhole

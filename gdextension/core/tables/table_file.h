@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/outcome.h"
+#include "core/tables/lensing_tables.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace blackhole {
+
+/// The .lut file: a header of 64 bytes, then both tables. lut/README.md describes every byte.
+inline constexpr std::uint32_t kTableFileVersion = 1;
+inline constexpr std::size_t kTableFileHeaderSize = 64;
+/// No table file may ask for more columns or rows than this (a 2-D texture's safe size).
+inline constexpr std::uint32_t kTableFileMaxSide = 4096;
+
+/// The bytes of the file for these tables.
+std::vector<std::uint8_t> write_lensing_tables(const LensingTables &tables);
+
+/// The tables in these bytes. `name` names the file in messages. Nothing is allocated before the sizes are
+/// known to agree with the bytes at hand; every damage gives a reason and the remedy.
+Outcome<LensingTables> read_lensing_tables(std::span<const std::uint8_t> bytes, const std::string &name);
+
+} // namespace blackhole
