@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <vector>
+
 #include <godot_cpp/classes/node3d.hpp>
 #include <godot_cpp/classes/texture2d.hpp>
 #include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/variant/packed_string_array.hpp>
 
+#include "core/culling/image_bound.h"
+#include "core/photometry/planck_table.h"
 #include "src/background_layer.h"
 #include "src/eye_tracker.h"
 #include "src/lensing_table.h"
@@ -73,7 +77,8 @@ private:
 	void apply_settings();
 	void catalogue_changed();
 	void table_changed();
-	void update_visible_groups();
+	void before_draw();
+	void choose_groups(const std::vector<WatchingEye> &eyes);
 	void node_added(godot::Node *node);
 	void node_removed(godot::Node *node);
 	bool is_lensing() const;
@@ -81,6 +86,9 @@ private:
 	StarLayer star_layer;
 	BackgroundLayer background_layer;
 	EyeTracker eye_tracker;
+	std::vector<WatchingEye> last_eyes;
+	std::vector<blackhole::EyeBound> eye_bounds;
+	blackhole::PlanckTable planck;
 	SkySettings settings;
 
 	double schwarzschild_radius = 1.0;

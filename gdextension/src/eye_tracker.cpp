@@ -2,13 +2,53 @@
 #include "src/eye_tracker.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <godot_cpp/classes/camera3d.hpp>
+#include <godot_cpp/classes/sub_viewport.hpp>
+#include <godot_cpp/classes/window.hpp>
 #include <godot_cpp/core/object.hpp>
 
 #include "src/glm_adapter.h"
 
 using namespace godot;
+
+namespace {
+
+// The radiometric scale's reference pixel: 60 degrees of field over 720 rows.
+constexpr double kReferenceFocal = 623.538290724796;
+// Half the distance of two eyes, with a reserve, in metres: a headset's camera stands between them.
+constexpr double kHeadsetWobble = 0.1;
+// A headset's own projection is unknown here; none has a finer picture than this.
+constexpr double kHeadsetGain = 16.0;
+
+Vector2i size_of(Viewport *viewport) {
+	if (const Window *window = Object::cast_to<Window>(viewport)) {
+		return window->get_size();
+	}
+	const SubViewport *sub_viewport = Object::cast_to<SubViewport>(viewport);
+	return sub_viewport != nullptr ? sub_viewport->get_size() : Vector2i(1920, 1080);
+}
+
+WatchingEye watching_eye(Viewport *viewport, const Camera3D *camera) {
+	WatchingEye eye;
+	eye.place = to_glm(camera->get_camera_transform().origin);
+	if (viewport->is_using_xr()) {
+		eye.pixel_gain = kHeadsetGain;
+		eye.wobble = kHeadsetWobble;
+		return eye;
+	}
+	const Projection projection = camera->get_camera_projection();
+	const Vector2i size = size_of(viewport);
+	const double scale_x = projection.columns[0][0];
+	const double scale_y = projection.columns[1][1];
+	const double focal2 = 0.25 * scale_x * size.x * scale_y * size.y;
+	const double corner2 = 1.0 + 1.0 / (scale_x * scale_x) + 1.0 / (scale_y * scale_y);
+	eye.pixel_gain = focal2 / (kReferenceFocal * kReferenceFocal) * corner2 * std::sqrt(corner2);
+	return eye;
+}
+
+} // namespace
 
 void EyeTracker::scan(Node *root) {
 	add(root);
@@ -33,7 +73,7 @@ void EyeTracker::remove(Node *node) {
 	}
 }
 
-const std::vector<glm::dvec3> &EyeTracker::eyes_in(const Ref<World3D> &world) {
+const std::vector<WatchingEye> &EyeTracker::eyes_in(const Ref<World3D> &world) {
 	eyes.clear();
 	for (const ObjectID id : viewports) {
 		auto *viewport = Object::cast_to<Viewport>(ObjectDB::get_instance(id));
@@ -42,7 +82,7 @@ const std::vector<glm::dvec3> &EyeTracker::eyes_in(const Ref<World3D> &world) {
 		}
 		const Camera3D *camera = viewport->get_camera_3d();
 		if (camera != nullptr && viewport->find_world_3d() == world) {
-			eyes.push_back(to_glm(camera->get_camera_transform().origin));
+			eyes.push_back(watching_eye(viewport, camera));
 		}
 	}
 	return eyes;

@@ -11,6 +11,16 @@
 #include <godot_cpp/classes/world3d.hpp>
 #include <godot_cpp/core/object_id.hpp>
 
+/// From where, and how finely, a viewport looks at its world.
+struct WatchingEye {
+	glm::dvec3 place; ///< world
+	double pixel_gain =
+			1.0; ///< largest ratio Omega_ref/Omega_px in its picture: luminance of a star over reference
+	double wobble = 0.0; ///< how far from `place` the true eyes may be, world units
+
+	bool operator==(const WatchingEye &) const = default;
+};
+
 /// Knows every viewport of the scene tree, and so from where a world is being looked at in this frame.
 class EyeTracker {
 public:
@@ -20,11 +30,10 @@ public:
 	void remove(godot::Node *node);
 	void clear() { viewports.clear(); }
 
-	/// Places of all current cameras of `world`, world coordinates. The vector is reused: no allocation once
-	/// it has its size.
-	const std::vector<glm::dvec3> &eyes_in(const godot::Ref<godot::World3D> &world);
+	/// The current cameras of `world`. The vector is reused: no allocation once it has its size.
+	const std::vector<WatchingEye> &eyes_in(const godot::Ref<godot::World3D> &world);
 
 private:
 	std::vector<godot::ObjectID> viewports;
-	std::vector<glm::dvec3> eyes;
+	std::vector<WatchingEye> eyes;
 };

@@ -4,7 +4,7 @@ extends Node
 
 const TABLE_FILE: String = "res://addons/blackhole_sky/data/schwarzschild.lut"
 const CATALOGUE_FILE: String = "res://addons/blackhole_sky/data/hipparcos.stars"
-const MILKY_WAY_FILE: String = "res://addons/blackhole_sky/data/milky_way.exr"
+
 ## Farther than this from the hole the world is made smaller, to stay within what culling takes.
 const LARGEST_DISTANCE: float = 1000.0
 ## Frames drawn before the picture is taken: the engine compiles its pipelines in the first.
@@ -79,10 +79,10 @@ func _set_background(spec: ShotSpec, refusal: PackedStringArray) -> bool:
 		ShotSpec.Background.GRID:
 			_sky.background = BlackHoleSky.BACKGROUND_GRID
 		ShotSpec.Background.MILKY_WAY:
-			if not ResourceLoader.exists(MILKY_WAY_FILE):
-				refusal.append("The Milky Way panorama %s is missing." % MILKY_WAY_FILE)
+			if not ResourceLoader.exists(MilkyWay.FILE):
+				refusal.append("The Milky Way panorama %s is missing." % MilkyWay.FILE)
 				return false
-			_sky.panorama = load(MILKY_WAY_FILE) as Texture2D
+			_sky.panorama = load(MilkyWay.FILE) as Texture2D
 			_sky.panorama_luminance = MilkyWay.LUMINANCE
 			_sky.background = BlackHoleSky.BACKGROUND_PANORAMA
 		ShotSpec.Background.FILE:

@@ -15,6 +15,7 @@ namespace {
 
 // R of the tables lies between its edge value 0.4353 and 1, and rises with S0: |dsigma/dPhi| stays below this
 // many times the slope of S0 itself.
+constexpr double kEdgeRatio = 0.4353;
 constexpr double kSlopeReserve = 1.3;
 // w of the tables (PHYSICS of lut/README.md): S0 = (t + sqrt(t^2 + 2 w))/2.
 constexpr double kEdgeScale = 1.1057928318722599;
@@ -92,17 +93,18 @@ double brightest_image_magnitude(
 	double sigma_near = 0.0;
 	double sigma_far = 0.0;
 	if (order == 0) {
-		// Grows from kappa^2-like values straight away from the hole to the ring; its slope by Phi falls as
-		// fast as sin phi there, so that both ends of the group bound it.
-		// Deep inside the horizon it is less even.
-		const double deep = 4.0 + eye.u;
-		for (const double phi : {std::max(near_phi, 1e-3), far_phi}) {
+		// A smooth function of phi: the ends and the middle bound it, with sigma anywhere between the
+		// extremes of R.
+		const double first = std::max(near_phi, 1e-3);
+		for (const double phi : {first, 0.5 * (first + far_phi), far_phi}) {
 			const ScaleAt scale = scale_at(phi, eye.w);
-			const double sigma = eye.sigma_c + scale.s0;
-			const double mu = 4.0 * k2 * sigma * scale.slope / ((k2 + sigma * sigma) * (k2 + sigma * sigma));
-			magnification = std::max(magnification, deep * kSlopeReserve * mu / std::sin(phi));
-			(phi == far_phi ? sigma_far : sigma_near) = sigma;
+			const double sigma_low = eye.sigma_c + kEdgeRatio * scale.s0;
+			const double sum = k2 + sigma_low * sigma_low;
+			const double mu = 4.0 * k2 * (eye.sigma_c + scale.s0) * scale.slope / (sum * sum);
+			magnification = std::max(magnification, 2.0 * kSlopeReserve * mu / std::sin(phi));
 		}
+		sigma_near = eye.sigma_c + scale_at(first, eye.w).s0;
+		sigma_far = eye.sigma_c + kEdgeRatio * scale_at(far_phi, eye.w).s0;
 	} else {
 		const ScaleAt scale = scale_at(near_phi, eye.w);
 		sigma_near = eye.sigma_c + scale.s0;

@@ -25,7 +25,7 @@ EyeBound eye_bound(const glm::dvec3 &position, ObserverMotion motion);
 
 /// An upper bound of the brightness that the image of order `order` (0..3) of any star of the group can have
 /// for this eye, as a V magnitude; -infinity where a star may lie on the caustic. Its use: a group whose
-/// bound is fainter than the picture shows need not be drawn. Generous by up to 1.5 magnitudes for the higher
+/// bound is fainter than the picture shows need not be drawn. Generous by about two magnitudes for the higher
 /// orders, never short (tested against the exact images). `slack` (rad) widens the group, for eyes that move
 /// a little.
 double brightest_image_magnitude(
