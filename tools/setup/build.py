@@ -36,9 +36,8 @@ def _configure(preset: str, folder: Path, godot: Godot | None, settings: Mapping
         return  # Ninja itself configures again when a CMake file changed
     say(f"Configuring the build ({preset})")
     log = paths.LOGS / f"configure-{preset}.log"
-    fresh = ["--fresh"] if (folder / "CMakeCache.txt").exists() else []
-    command = ["cmake", "--preset", preset, *fresh, *options]
-    process.require(command, log, "Configuring the build", cwd=paths.SOURCES)
+    (folder / "CMakeCache.txt").unlink(missing_ok=True)  # what an earlier configuration chose is not to linger
+    process.require(["cmake", "--preset", preset, *options], log, "Configuring the build", cwd=paths.SOURCES)
     stamps.write(stamp, wanted)
 
 
