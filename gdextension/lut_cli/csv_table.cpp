@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "lut_cli/csv_table.h"
 
+#include "lut_cli/files.h"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 
 namespace blackhole {
 namespace {
+
+/// Larger inputs are a mistake rather than a table.
+constexpr std::size_t kLargestCsv = std::size_t{1} << 30;
 
 std::string_view trim(std::string_view text) {
 	const auto begin = text.find_first_not_of(" \t\r");
@@ -69,15 +72,11 @@ Outcome<CsvTable> CsvTable::parse(std::string_view text, const std::string &name
 }
 
 Outcome<CsvTable> CsvTable::load(const std::string &path) {
-	std::ifstream file(path, std::ios::binary);
-	if (!file) {
-		return Outcome<CsvTable>::failure(path + ": cannot be opened; check the path");
+	const Outcome<std::string> text = read_file(path, kLargestCsv);
+	if (!text) {
+		return Outcome<CsvTable>::failure(text.error);
 	}
-	const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-	if (file.bad()) {
-		return Outcome<CsvTable>::failure(path + ": cannot be read");
-	}
-	return parse(text, path);
+	return parse(*text.value, path);
 }
 
 Outcome<std::vector<double>> CsvTable::column(const std::string &header, bool finite) const {

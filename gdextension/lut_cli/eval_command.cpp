@@ -2,11 +2,13 @@
 #include "lut_cli/eval_command.h"
 
 #include "lut_cli/csv_table.h"
+#include "lut_cli/files.h"
+#include "lut_cli/ray_source.h"
 #include "lut_cli/reference_columns.h"
 
 #include <cmath>
 #include <cstdio>
-#include <fstream>
+#include <memory>
 
 namespace blackhole {
 namespace {
@@ -31,7 +33,8 @@ std::string unknown_name(const std::string &name) {
 
 } // namespace
 
-std::string run_eval(const std::string &name, const std::string &in_path, const std::string &out_path) {
+std::string run_eval(const std::string &name, const std::string &in_path, const std::string &out_path,
+		const std::string &table_path) {
 	const ReferenceKind *kind = find_reference_kind(name);
 	if (kind == nullptr) {
 		return unknown_name(name);
@@ -44,23 +47,29 @@ std::string run_eval(const std::string &name, const std::string &in_path, const 
 	if (!inputs) {
 		return inputs.error;
 	}
+	Outcome<LensingTables> tables;
+	std::unique_ptr<RaySource> rays = std::make_unique<ExactRays>();
+	if (!table_path.empty()) {
+		tables = load_table_file(table_path);
+		if (!tables) {
+			return tables.error;
+		}
+		rays = std::make_unique<TabulatedRays>(*tables.value);
+	}
 	std::string text;
 	for (std::size_t i = 0; i < kind->columns.size(); ++i) {
 		text += (i == 0 ? "" : ",") + kind->columns[i];
 	}
 	for (const std::vector<double> &row : *inputs.value) {
 		char separator = '\n';
-		for (const double number : kind->exact(row)) {
+		for (const double number : kind->evaluate(*rays, row)) {
 			text += separator;
 			append_number(text, number);
 			separator = ',';
 		}
 	}
 	text += '\n';
-	std::ofstream file(out_path, std::ios::binary);
-	file << text;
-	file.close();
-	return file ? "" : out_path + ": cannot be written; check that its folder exists and is writable";
+	return write_file(out_path, text);
 }
 
 } // namespace blackhole

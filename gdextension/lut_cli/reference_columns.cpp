@@ -2,7 +2,7 @@
 #include "lut_cli/reference_columns.h"
 
 #include "core/relativity/star_image.h"
-#include "lut_cli/exact_columns.h"
+#include "lut_cli/ray_columns.h"
 
 #include <cmath>
 #include <numbers>
@@ -51,25 +51,25 @@ const std::vector<ReferenceKind> &reference_kinds() {
 					{"u_o", "Phi", "sigma", "sigma_minus_crit", "a", "xi_rain", "xi_rain_minus_shadow",
 							"dxi_rain_dPhi", "mu_rain", "g_rain", "xi_static", "xi_static_minus_shadow",
 							"dxi_static_dPhi", "mu_static"},
-					reject_inverse, exact_columns::inverse_static},
+					reject_inverse, ray_columns::inverse_static},
 			{"inverse_rain", 2,
 					{"u_o", "Phi", "sigma", "sigma_minus_crit", "a", "xi_rain", "xi_rain_minus_shadow",
 							"dxi_rain_dPhi", "mu_rain", "g_rain"},
-					reject_inverse, exact_columns::inverse_rain},
+					reject_inverse, ray_columns::inverse_rain},
 			{"forward_static", 2, {"u_o", "xi_static", "xi_minus_shadow", "Phi", "dPhi_dxi", "a", "sigma"},
-					reject_forward, exact_columns::forward_static},
+					reject_forward, ray_columns::forward_static},
 			{"forward_rain", 2,
 					{"u_o", "xi_rain", "xi_minus_shadow", "Phi", "dPhi_dxi", "a", "sigma", "g_rain"},
-					reject_forward, exact_columns::forward_rain},
+					reject_forward, ray_columns::forward_rain},
 			{"images", 3,
 					{"u_o", "phi", "order", "Phi", "side", "xi_rain", "mu_rain", "g_rain", "xi_static",
 							"mu_static", "g_static"},
-					reject_images, exact_columns::images},
+					reject_images, ray_columns::images},
 			{"rings", 2, {"u_o", "n", "xi_rain", "xi_rain_minus_shadow", "xi_static", "a"}, reject_rings,
-					exact_columns::rings},
-			{"shadow", 1, {"u_o", "xi_shadow_rain", "xi_shadow_static"}, reject_place, exact_columns::shadow},
+					ray_columns::rings},
+			{"shadow", 1, {"u_o", "xi_shadow_rain", "xi_shadow_static"}, reject_place, ray_columns::shadow},
 			{"deflection", 1, {"b", "b_over_bc_minus_1", "alpha", "alpha_weak4", "alpha_strong", "r_min"},
-					reject_deflection, exact_columns::deflection},
+					reject_deflection, ray_columns::deflection},
 	};
 	return kinds;
 }

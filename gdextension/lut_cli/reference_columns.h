@@ -3,6 +3,7 @@
 
 #include "core/outcome.h"
 #include "lut_cli/csv_table.h"
+#include "lut_cli/ray_source.h"
 
 #include <span>
 #include <string>
@@ -18,8 +19,8 @@ struct ReferenceKind {
 	std::vector<std::string> columns;
 	/// Empty where the inputs make sense, else what is wrong with them.
 	std::string (*reject)(std::span<const double> inputs);
-	/// All columns, exactly in double precision.
-	std::vector<double> (*exact)(std::span<const double> inputs);
+	/// All columns.
+	std::vector<double> (*evaluate)(const RaySource &rays, std::span<const double> inputs);
 };
 
 /// Every kind there is.

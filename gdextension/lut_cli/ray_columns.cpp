@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "lut_cli/exact_columns.h"
+#include "lut_cli/ray_columns.h"
 
 #include "core/relativity/deflection.h"
-#include "core/relativity/einstein_ring.h"
-#include "core/relativity/image_direction.h"
 #include "core/relativity/light_ray.h"
 #include "core/relativity/magnification.h"
 #include "core/relativity/observer.h"
-#include "core/relativity/orbital_angle.h"
 #include "core/relativity/redshift.h"
 #include "core/relativity/shadow.h"
 #include "core/relativity/view_angle.h"
@@ -16,7 +13,7 @@
 #include <limits>
 #include <numbers>
 
-namespace blackhole::exact_columns {
+namespace blackhole::ray_columns {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -40,7 +37,7 @@ View view(double u, ImageDirection ray, ObserverMotion motion, double sin_phi) {
 			radial_redshift(u, ray.y, kappa)};
 }
 
-std::vector<double> forward(std::span<const double> inputs, ObserverMotion motion) {
+std::vector<double> forward(const RaySource &rays, std::span<const double> inputs, ObserverMotion motion) {
 	const double u = inputs[0];
 	const double xi = inputs[1];
 	const bool rain = motion == ObserverMotion::kRain;
@@ -50,7 +47,7 @@ std::vector<double> forward(std::span<const double> inputs, ObserverMotion motio
 	if (kappa > 0.0) {
 		row[2] = view_angle_beyond_shadow(u, y, kappa);
 		const LightRay<double> ray(u, y);
-		const OrbitalAngle angle = orbital_angle_slope(u, y); // nan for captured rays
+		const OrbitalAngle angle = rays.angle(u, y); // nan for captured rays
 		row[3] = angle.phi;
 		row[4] = angle.slope_y / view_angle_slope(u, y, kappa);
 		row[5] = ray.a;
@@ -64,33 +61,33 @@ std::vector<double> forward(std::span<const double> inputs, ObserverMotion motio
 
 } // namespace
 
-std::vector<double> inverse_rain(std::span<const double> inputs) {
+std::vector<double> inverse_rain(const RaySource &rays, std::span<const double> inputs) {
 	const double u = inputs[0];
 	const double phi = inputs[1];
-	const ImageDirection image = image_direction(u, phi);
+	const ImageDirection image = rays.image(u, phi);
 	const LightRay<double> ray(u, image.y);
 	const View rain = view(u, image, ObserverMotion::kRain, std::abs(std::sin(phi)));
 	return {u, phi, ray.sigma, image.y, ray.a, rain.xi, rain.beyond_shadow, rain.slope, rain.magnification,
 			rain.redshift};
 }
 
-std::vector<double> inverse_static(std::span<const double> inputs) {
-	std::vector<double> row = inverse_rain(inputs);
-	const View rest = view(inputs[0], image_direction(inputs[0], inputs[1]), ObserverMotion::kStatic,
+std::vector<double> inverse_static(const RaySource &rays, std::span<const double> inputs) {
+	std::vector<double> row = inverse_rain(rays, inputs);
+	const View rest = view(inputs[0], rays.image(inputs[0], inputs[1]), ObserverMotion::kStatic,
 			std::abs(std::sin(inputs[1])));
 	row.insert(row.end(), {rest.xi, rest.beyond_shadow, rest.slope, rest.magnification});
 	return row;
 }
 
-std::vector<double> forward_static(std::span<const double> inputs) {
-	return forward(inputs, ObserverMotion::kStatic);
+std::vector<double> forward_static(const RaySource &rays, std::span<const double> inputs) {
+	return forward(rays, inputs, ObserverMotion::kStatic);
 }
 
-std::vector<double> forward_rain(std::span<const double> inputs) {
-	return forward(inputs, ObserverMotion::kRain);
+std::vector<double> forward_rain(const RaySource &rays, std::span<const double> inputs) {
+	return forward(rays, inputs, ObserverMotion::kRain);
 }
 
-std::vector<double> images(std::span<const double> inputs) {
+std::vector<double> images(const RaySource &rays, std::span<const double> inputs) {
 	const double u = inputs[0];
 	const double star = inputs[1];
 	const double order = inputs[2];
@@ -98,7 +95,7 @@ std::vector<double> images(std::span<const double> inputs) {
 	const double phi = odd ? (order + 1.0) * std::numbers::pi - star : order * std::numbers::pi + star;
 	// A star straight away from the hole: the limit phi -> 0, to every digit.
 	const double tiny = phi == 0.0 ? 1e-100 : 0.0;
-	const ImageDirection ray = image_direction(u, phi + tiny);
+	const ImageDirection ray = rays.image(u, phi + tiny);
 	const double sin_phi = std::sin(star + tiny);
 	const View rain = view(u, ray, ObserverMotion::kRain, sin_phi);
 	const View rest = view(u, ray, ObserverMotion::kStatic, sin_phi);
@@ -106,23 +103,23 @@ std::vector<double> images(std::span<const double> inputs) {
 			rest.magnification, rest.redshift};
 }
 
-std::vector<double> rings(std::span<const double> inputs) {
+std::vector<double> rings(const RaySource &rays, std::span<const double> inputs) {
 	const double u = inputs[0];
-	const ImageDirection ring = einstein_ring(u, static_cast<int>(inputs[1]));
+	const ImageDirection ring = rays.image(u, inputs[1] * std::numbers::pi);
 	const View rain = view(u, ring, ObserverMotion::kRain, 1.0);
 	const View rest = view(u, ring, ObserverMotion::kStatic, 1.0);
 	return {u, inputs[1], rain.xi, rain.beyond_shadow, rest.xi, LightRay<double>(u, ring.y).a};
 }
 
-std::vector<double> shadow(std::span<const double> inputs) {
+std::vector<double> shadow(const RaySource & /*rays*/, std::span<const double> inputs) {
 	return {inputs[0], shadow_half_angle(inputs[0], ObserverMotion::kRain),
 			shadow_half_angle(inputs[0], ObserverMotion::kStatic)};
 }
 
-std::vector<double> deflection(std::span<const double> inputs) {
+std::vector<double> deflection(const RaySource & /*rays*/, std::span<const double> inputs) {
 	const Deflection result = blackhole::deflection(inputs[0]);
 	return {inputs[0], result.beyond_critical, result.alpha, result.alpha_weak, result.alpha_strong,
 			result.r_min};
 }
 
-} // namespace blackhole::exact_columns
+} // namespace blackhole::ray_columns
