@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: MIT
+class_name HelpOverlay
+extends Control
+## The controls, read from the input map, and the buttons to close, fill the screen and quit.
+
+signal fullscreen_asked
+signal quit_asked
+
+## What is explained, which actions do it, and what the mouse does beside them.
+const ROWS: Array[Array] = [
+	["Go round the hole", [&"orbit_left", &"orbit_right", &"orbit_up", &"orbit_down"], "drag"],
+	["Nearer, farther", [&"approach", &"recede"], "wheel"],
+	["Orbit or free flight", [&"toggle_flight"], ""],
+	["Fly", [&"fly_forward", &"fly_left", &"fly_back", &"fly_right"], ""],
+	["Fly down, up", [&"fly_down", &"fly_up"], ""],
+	["Look around in flight", [&"look_left", &"look_right", &"look_up", &"look_down"], "drag"],
+	["Roll", [&"roll_left", &"roll_right"], ""],
+	["Faster, while held", [&"fly_fast"], ""],
+	["First view", [&"reset_view"], ""],
+	[],
+	["With and without the hole", [&"toggle_lensing"], ""],
+	["Observer: static, rain", [&"next_observer"], ""],
+	["Background", [&"next_background"], ""],
+	["Image orders", [&"next_image_orders"], ""],
+	["Darker, brighter", [&"exposure_down", &"exposure_up"], ""],
+	["Show or hide the display", [&"toggle_hud"], ""],
+	["Full screen", [&"toggle_fullscreen"], ""],
+	["This help", [&"toggle_help"], ""],
+	["Quit", [&"quit"], ""],
+]
+
+@onready var _left: GridContainer = %Left
+@onready var _right: GridContainer = %Right
+@onready var _close: Button = %Close
+@onready var _fullscreen: Button = %Fullscreen
+@onready var _quit: Button = %Quit
+
+
+func _ready() -> void:
+	_fill()
+	_close.pressed.connect(close)
+	_fullscreen.pressed.connect(fullscreen_asked.emit)
+	_quit.pressed.connect(quit_asked.emit)
+
+
+func _unhandled_input(event: InputEvent) -> void:
+	# On the keyboard the same action is Escape, which quits.
+	if visible and event is InputEventJoypadButton and event.is_action_pressed(&"ui_cancel"):
+		get_viewport().set_input_as_handled()
+		close()
+
+
+func open() -> void:
+	show()
+	_close.grab_focus()
+
+
+func close() -> void:
+	hide()
+
+
+## Opens with the quit button ready; a second time it means it.
+func ask_to_quit() -> void:
+	if visible and _quit.has_focus():
+		quit_asked.emit()
+		return
+	show()
+	_quit.grab_focus()
+
+
+func _fill() -> void:
+	var grid := _left
+	_add_row(grid, "", "Keyboard and mouse", "Gamepad", &"Caption")
+	for row in ROWS:
+		if row.is_empty():
+			grid = _right
+			_add_row(grid, "", "Keyboard", "Gamepad", &"Caption")
+			continue
+		var actions: Array[StringName] = []
+		actions.assign(row[1] as Array)
+		var keys := BindingNames.keyboard(actions)
+		var mouse := row[2] as String
+		if not mouse.is_empty():
+			keys = "%s  %s" % [tr(mouse), keys]
+		_add_row(grid, row[0] as String, keys, BindingNames.gamepad(actions))
+
+
+func _add_row(
+	grid: GridContainer, what: String, keys: String, pad: String, kind: StringName = &"Label"
+) -> void:
+	for text: String in [what, keys, pad]:
+		var label := Label.new()
+		label.text = text
+		label.theme_type_variation = kind
+		grid.add_child(label)

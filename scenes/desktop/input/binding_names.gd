@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: MIT
+class_name BindingNames
+extends RefCounted
+## Says in words which keys and gamepad controls an input action is bound to.
+
+const KEYS: Dictionary[Key, String] = {
+	KEY_LEFT: "Arrows",
+	KEY_RIGHT: "Arrows",
+	KEY_UP: "Arrows",
+	KEY_DOWN: "Arrows",
+	KEY_PLUS: "+",
+	KEY_MINUS: "−",
+}
+## Keys that need no mention beside another key of the same action.
+const SECOND_KEYS: Array[Key] = [KEY_EQUAL, KEY_KP_ADD, KEY_KP_SUBTRACT]
+const BUTTONS: Dictionary[JoyButton, String] = {
+	JOY_BUTTON_A: "A",
+	JOY_BUTTON_B: "B",
+	JOY_BUTTON_X: "X",
+	JOY_BUTTON_Y: "Y",
+	JOY_BUTTON_BACK: "Back",
+	JOY_BUTTON_START: "Start",
+	JOY_BUTTON_LEFT_STICK: "Left stick press",
+	JOY_BUTTON_RIGHT_STICK: "Right stick press",
+	JOY_BUTTON_LEFT_SHOULDER: "LB",
+	JOY_BUTTON_RIGHT_SHOULDER: "RB",
+	JOY_BUTTON_DPAD_UP: "D-pad up",
+	JOY_BUTTON_DPAD_DOWN: "D-pad down",
+	JOY_BUTTON_DPAD_LEFT: "D-pad left",
+	JOY_BUTTON_DPAD_RIGHT: "D-pad right",
+	JOY_BUTTON_MISC1: "Share",
+}
+const AXES: Dictionary[JoyAxis, String] = {
+	JOY_AXIS_LEFT_X: "Left stick",
+	JOY_AXIS_LEFT_Y: "Left stick",
+	JOY_AXIS_RIGHT_X: "Right stick",
+	JOY_AXIS_RIGHT_Y: "Right stick",
+	JOY_AXIS_TRIGGER_LEFT: "LT",
+	JOY_AXIS_TRIGGER_RIGHT: "RT",
+}
+
+
+## The keys of the actions, each named once, in order.
+static func keyboard(actions: Array[StringName]) -> String:
+	var names := PackedStringArray()
+	for action in actions:
+		for event in InputMap.action_get_events(action):
+			if event is InputEventKey:
+				_add(names, _key_name(event as InputEventKey))
+	return "  ".join(names)
+
+
+## The gamepad's sticks and buttons of the actions, each named once, in order.
+static func gamepad(actions: Array[StringName]) -> String:
+	var names := PackedStringArray()
+	for action in actions:
+		for event in InputMap.action_get_events(action):
+			if event is InputEventJoypadButton:
+				var button := (event as InputEventJoypadButton).button_index
+				_add(names, _translated(BUTTONS.get(button, "") as String))
+			elif event is InputEventJoypadMotion:
+				var axis := (event as InputEventJoypadMotion).axis
+				_add(names, _translated(AXES.get(axis, "") as String))
+	return "  ".join(names)
+
+
+static func _add(names: PackedStringArray, name: String) -> void:
+	if not name.is_empty() and not names.has(name):
+		names.append(name)
+
+
+static func _key_name(event: InputEventKey) -> String:
+	var key := event.keycode
+	if key == KEY_NONE:
+		key = event.physical_keycode
+		# Not every display server knows the keyboard's layout.
+		if DisplayServer.get_name() != "headless":
+			key = DisplayServer.keyboard_get_keycode_from_physical(key)
+	if SECOND_KEYS.has(key):
+		return ""
+	if KEYS.has(key):
+		return _translated(KEYS[key])
+	return _translated(OS.get_keycode_string(key))
+
+
+static func _translated(name: String) -> String:
+	return TranslationServer.translate(name)
