@@ -8,7 +8,7 @@ import shutil
 from dataclasses import dataclass
 from pathlib import Path
 
-from setup import godot_version, private_copy
+from setup import godot_version, paths, private_copy
 from setup.console import Failure
 
 
@@ -46,7 +46,7 @@ def _named(named: str) -> Godot:
             "of the 4 series. Correct or unset it.",
             3,
         )
-    return Godot(executable, _text(version), private=False)
+    return Godot(executable, _text(version), private=executable.is_relative_to(paths.cache_dir()))
 
 
 def _text(version: tuple[int, int, int]) -> str:

@@ -56,6 +56,13 @@ class Find(unittest.TestCase):
         os.environ["GODOT"] = str(named)
         self.assertEqual(godot.find(), godot.Godot(named, "4.6.1", private=False))
 
+    def test_the_private_copy_may_be_named(self) -> None:
+        os.environ["XDG_CACHE_HOME"] = str(self.folder)
+        cache = self.folder / "blackhole_sky"
+        cache.mkdir()
+        os.environ["GODOT"] = str(_fake_engine(cache, "godot", "4.6.1.stable"))
+        self.assertTrue(godot.find().private)
+
     def test_an_old_engine_in_the_variable_is_refused_by_version(self) -> None:
         os.environ["GODOT"] = str(_fake_engine(self.folder, "old", "4.3.stable"))
         with self.assertRaisesRegex(Failure, r"4\.3\.0.*needs 4\.6"):

@@ -16,7 +16,7 @@ from testing import junit, programs, scripts, style
 from testing.context import RESULTS, Context
 from testing.junit import Case
 
-_SHOWN_LINES = 15
+_SHOWN_FIRST, _SHOWN_LAST = 6, 14
 
 
 @dataclass(frozen=True)
@@ -94,6 +94,15 @@ def verdict(cases: list[Case]) -> str:
     return f"{line}, {skipped} skipped" if skipped else line
 
 
+def shortened(text: str, whole: str) -> str:
+    """The first and the last lines of a long failure, indented; `whole` says where the rest is."""
+    lines = text.splitlines()
+    hidden = len(lines) - _SHOWN_FIRST - _SHOWN_LAST
+    if hidden > 0:
+        lines[_SHOWN_FIRST:-_SHOWN_LAST] = [f"... {hidden} more lines in {whole} ..."]
+    return "\n".join(f"    {line}" for line in lines)
+
+
 def _run(stage: Stage, context: Context) -> tuple[float, list[Case]]:
     print(f"[{stage.name}]", flush=True)
     started = time.monotonic()
@@ -107,11 +116,7 @@ def _run(stage: Stage, context: Context) -> tuple[float, list[Case]]:
     junit.write(RESULTS / f"{stage.name}.xml", stage.name, cases)
     for case in cases:
         if case.failure is not None:
-            lines = case.failure.splitlines()
-            print(f"  FAILED {case.group}: {case.name}")
-            print("\n".join(f"    {line}" for line in lines[:_SHOWN_LINES]))
-            if len(lines) > _SHOWN_LINES:
-                print(f"    ... {len(lines) - _SHOWN_LINES} more lines in {RESULTS / stage.name}.xml")
+            print(f"  FAILED {case.group}: {case.name}\n{shortened(case.failure, f'{RESULTS / stage.name}.xml')}")
         elif case.skipped is not None:
             print(f"  skipped {case.group}: {case.name}: {case.skipped}")
     print(f"  {verdict(cases)} in {seconds:.1f} s", flush=True)

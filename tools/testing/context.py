@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import os
 import subprocess
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import cached_property
@@ -52,6 +52,14 @@ class Context:
         _ = self.engine
         return gdtoolkit.bring()
 
+    def environment(self) -> dict[str, str]:
+        """What test programs learn from the environment: the engine, and whether the long variants are wanted."""
+        return {
+            **os.environ,
+            "GODOT": str(self.engine.executable),
+            "BLACKHOLE_TEST_ALL": "1" if self.all_variants else "0",
+        }
+
 
 def sources(*suffixes: str, under: str = "") -> list[Path]:
     """The project's own files with one of these endings, without what git ignores."""
@@ -92,8 +100,7 @@ def complaint(command: Command) -> str:
 
 
 def run_for_junit(
-    command: Command, name: str, timeout_s: float, all_variants: bool = False, cwd: Path | None = None,
-    result: Path | None = None,
+    command: Command, name: str, timeout_s: float, environment: Mapping[str, str], result: Path | None = None,
 ) -> list[Case]:
     """Runs a test program that writes JUnit XML to `result` (build/test-results/NAME.xml) and returns its cases.
 
@@ -102,8 +109,7 @@ def run_for_junit(
     result = result or result_file(name)
     result.unlink(missing_ok=True)
     log = paths.LOGS / f"test-{name}.log"
-    env = {**os.environ, "BLACKHOLE_TEST_ALL": "1" if all_variants else "0"}
-    status = process.run_logged(command, log, cwd=cwd or paths.ROOT, env=env, timeout_s=timeout_s)
+    status = process.run_logged(command, log, cwd=paths.ROOT, env=environment, timeout_s=timeout_s)
     try:
         cases = junit.read(result)
     except (OSError, SyntaxError) as error:

@@ -20,7 +20,7 @@ def cpp_stage(context: Context) -> list[Case]:
     _ = context.engine
     folder = build.build("test", None)
     command = ["ctest", "--test-dir", folder, "--output-junit", result_file("cpp"), "--output-on-failure", "-j2"]
-    return run_for_junit(command, "cpp", 900, context.all_variants)
+    return run_for_junit(command, "cpp", 900, context.environment())
 
 
 def provider_stage(context: Context) -> list[Case]:
@@ -30,11 +30,12 @@ def provider_stage(context: Context) -> list[Case]:
         sys.executable, _PROVIDER, "--godot", godot.executable, "--build-dir", paths.BUILD / "provider",
         "--asan", "--junit", result_file("provider"),
     ]
-    return run_for_junit(command, "provider", 900, context.all_variants)
+    return run_for_junit(command, "provider", 900, context.environment())
 
 
 def python_stage(context: Context) -> list[Case]:
     """The unit tests of the tools."""
+    _ = context.engine
     cases: list[Case] = []
     for path in sources(".py", under="tools"):
         if path.name.startswith("test_"):
@@ -54,7 +55,7 @@ def gut_stage(context: Context) -> list[Case]:
     godot = context.project
     command = [godot.executable, "--headless", "--path", paths.ROOT, "-s", "addons/gut/gut_cmdln.gd"]
     options = ["-gconfig=res://.gutconfig.json", "-gexit", f"-gjunit_xml_file={result_file('gut')}"]
-    return run_for_junit([*command, *options], "gut", 600, context.all_variants)
+    return run_for_junit([*command, *options], "gut", 600, context.environment())
 
 
 def render_stage(context: Context, renderer: str) -> list[Case]:
@@ -68,10 +69,10 @@ def render_stage(context: Context, renderer: str) -> list[Case]:
         "-s", "addons/gut/gut_cmdln.gd", "-gconfig=", "-gdir=res://tests/render", "-ginclude_subdirs", "-gexit",
         f"-gjunit_xml_file={result_file(name)}",
     ])
-    return run_for_junit(command, name, 900, context.all_variants)
+    return run_for_junit(command, name, 900, context.environment())
 
 
 def _unittest(path: Path, name: str, timeout_s: float, context: Context) -> list[Case]:
     runner = Path(__file__).parent / "unittest_junit.py"
     command = [sys.executable, runner, path, result_file(name)]
-    return run_for_junit(command, name, timeout_s, context.all_variants)
+    return run_for_junit(command, name, timeout_s, context.environment())

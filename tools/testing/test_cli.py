@@ -48,6 +48,11 @@ class Main(unittest.TestCase):
         self.assertEqual(self._run(_stage("trouble", _trouble), good), (1, "1 passed, 1 failed"))
         self.assertEqual(self.results["trouble"][0].failure, "no engine")
 
+    def test_of_a_long_failure_both_ends_are_shown(self) -> None:
+        lines = cli.shortened("\n".join(str(number) for number in range(100)), "a.xml").split("\n")
+        self.assertEqual((lines[0], lines[6], lines[-1]), ("    0", "    ... 80 more lines in a.xml ...", "    99"))
+        self.assertEqual(cli.shortened("one\ntwo", "a.xml"), "    one\n    two")
+
     def test_chosen_stages_alone(self) -> None:
         stages = [_stage(name, lambda _: [Case("a")]) for name in ("gut", "render-mobile", "render-forward_plus")]
         self.assertEqual(self._run(*stages, arguments=("render",))[1], "2 passed, 0 failed")

@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: MIT
+import os
 import sys
 import tempfile
 import unittest
@@ -6,8 +7,9 @@ from pathlib import Path
 from unittest import mock
 
 from setup.console import Failure
+from setup.godot import Godot
 from testing import context, junit, tidy
-from testing.context import run_for_junit
+from testing.context import Context, run_for_junit
 from testing.junit import Case
 
 _TESTS = """
@@ -37,7 +39,7 @@ class InFolder(unittest.TestCase):
 
 class RunForJunit(InFolder):
     def _program(self, script: str) -> list[Case]:
-        return run_for_junit(["sh", "-c", script], "sample", 10, result=self.out)
+        return run_for_junit(["sh", "-c", script], "sample", 10, os.environ, self.out)
 
     def test_no_file_is_a_failure_whatever_the_status(self) -> None:
         junit.write(self.out, "old", [Case("from the last run")])
@@ -53,10 +55,12 @@ class RunForJunit(InFolder):
         cases = self._program(f"echo '{good}' > {self.out}; echo boom; exit 134")
         self.assertIn("boom", cases[-1].failure or "")
 
-    def test_the_long_variants_are_announced(self) -> None:
-        script = f"echo \"<testsuite><testcase name='$BLACKHOLE_TEST_ALL'/></testsuite>\" > {self.out}"
-        cases = run_for_junit(["sh", "-c", script], "sample", 10, all_variants=True, result=self.out)
-        self.assertEqual(cases[0].name, "1")
+    def test_engine_and_long_variants_are_announced(self) -> None:
+        script = f"echo \"<testsuite><testcase name='$BLACKHOLE_TEST_ALL $GODOT'/></testsuite>\" > {self.out}"
+        with mock.patch.object(Context, "engine", Godot(Path("/engine/godot"), "4.6.3", private=True)):
+            environment = Context(all_variants=True).environment()
+        cases = run_for_junit(["sh", "-c", script], "sample", 10, environment, self.out)
+        self.assertEqual(cases[0].name, "1 /engine/godot")
 
 
 class UnittestJunit(InFolder):
@@ -64,7 +68,7 @@ class UnittestJunit(InFolder):
         (self.folder / "test_sample.py").write_text(_TESTS, encoding="utf-8")
         runner = Path(context.__file__).parent / "unittest_junit.py"
         command = [sys.executable, runner, self.folder / "test_sample.py", self.out]
-        found = {case.name: case for case in run_for_junit(command, "sample", 60, result=self.out)}
+        found = {case.name: case for case in run_for_junit(command, "sample", 60, os.environ, self.out)}
         self.assertEqual(len(found), 5)
         self.assertIsNone(found["test_good"].failure)
         self.assertIn("1 != 2", found["test_bad"].failure or "")
