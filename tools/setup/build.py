@@ -4,31 +4,28 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
 from pathlib import Path
 
 from setup import paths, process, stamps
-from setup.console import Failure, Progress, note, say, tail
+from setup.console import Failure, Progress, note, say
 from setup.godot import Godot
 from setup.locks import locked
 
 
-def build(preset: str, godot: Godot | None, settings: Mapping[str, str] | None = None) -> Path:
-    """Brings build/PRESET up to date and returns that folder; quick when nothing changed.
+def build(preset: str, godot: Godot | None, target: str = "all") -> Path:
+    """Brings `target` in build/PRESET up to date and returns that folder; quick when nothing changed.
 
-    The engine's own description of its API is asked from `godot`. settings are further CMake variables.
+    The engine's own description of its API is asked from `godot`.
     """
     folder = paths.BUILD / preset
     with locked(paths.BUILD / f"{preset}.lock", f"building {preset}"):
-        _configure(preset, folder, godot, settings or {})
-        _compile(preset, folder)
+        _configure(preset, folder, godot)
+        _compile(preset, folder, target)
     return folder
 
 
-def _configure(preset: str, folder: Path, godot: Godot | None, settings: Mapping[str, str]) -> None:
-    options = [f"-D{name}={value}" for name, value in sorted(settings.items())]
-    if godot:
-        options.append(f"-DGODOT_EXECUTABLE={godot.executable}")
+def _configure(preset: str, folder: Path, godot: Godot | None) -> None:
+    options = [f"-DGODOT_EXECUTABLE={godot.executable}"] if godot else []
     presets = (paths.SOURCES / "CMakePresets.json").read_text(encoding="utf-8")
     wanted = stamps.digest(folder, presets, godot.version if godot else "", *options)
     stamp = folder / "configured.stamp"
@@ -41,7 +38,7 @@ def _configure(preset: str, folder: Path, godot: Godot | None, settings: Mapping
     stamps.write(stamp, wanted)
 
 
-def _compile(preset: str, folder: Path) -> None:
+def _compile(preset: str, folder: Path, target: str) -> None:
     log = paths.LOGS / f"build-{preset}.log"
     progress = Progress(f"built ({preset})")
     announced = False
@@ -49,7 +46,7 @@ def _compile(preset: str, folder: Path) -> None:
     def watch(line: str) -> None:
         nonlocal announced
         match = re.match(r"\[(\d+)/(\d+)\]", line)
-        if not match:
+        if not match or match.group(1) == "0":  # looking whether there is work is no work
             return
         if not announced:
             say(f"Building ({preset})")
@@ -57,7 +54,14 @@ def _compile(preset: str, folder: Path) -> None:
             announced = True
         progress.update(int(match.group(1)), int(match.group(2)))
 
-    status = process.run_logged(["cmake", "--build", folder], log, on_line=watch)
+    status = process.run_logged(["cmake", "--build", folder, "--target", target], log, on_line=watch)
     progress.close()
     if status != 0:
-        raise Failure(f"The build ({preset}) failed. The end of {log}:\n{tail(log, 60)}")
+        raise Failure(f"The build ({preset}) failed. From {log}:\n{first_error(log.read_text(errors='replace'))}")
+
+
+def first_error(printed: str) -> str:
+    """The output of the first command that failed, of which the others are often consequences."""
+    lines = printed.splitlines()
+    begin = next((number for number, line in enumerate(lines) if line.startswith("FAILED:")), max(0, len(lines) - 30))
+    return "\n".join("    | " + line[:300] for line in lines[begin : begin + 30])

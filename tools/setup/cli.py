@@ -9,7 +9,6 @@ import subprocess
 import sys
 from collections.abc import Callable
 from dataclasses import dataclass
-from pathlib import Path
 
 from setup import bench, capture, display, paths, prepare, session
 from setup.console import Failure, note, say
@@ -78,29 +77,22 @@ def _editor(arguments: list[str]) -> int:
 
 
 def _lut(arguments: list[str]) -> int:
-    prepare.tools()
-    return subprocess.run([lut_tool(), *arguments], check=False).returncode
+    return subprocess.run([prepare.table_tool(), *arguments], check=False).returncode
 
 
 def _bake(arguments: list[str]) -> int:
     if arguments not in ([], ["--check"]):
         raise Failure("usage: ./run bake [--check]", 2)
-    prepare.tools()
     table = os.path.relpath(paths.ROOT / "lut" / "schwarzschild.lut")
-    return subprocess.run([lut_tool(), "bake", table, *arguments], check=False).returncode
-
-
-def lut_tool() -> Path:
-    """The built table tool."""
-    return paths.RELEASE / "lut_cli" / "blackhole-lut"
+    return subprocess.run([prepare.table_tool(), "bake", *arguments, table], check=False).returncode
 
 
 def _clean(arguments: list[str]) -> int:
     if arguments not in ([], ["--cache"]):
         raise Failure("usage: ./run clean [--cache]", 2)
-    library = paths.ROOT / "addons" / "blackhole_sky" / "bin"
-    doomed = [paths.BUILD, paths.OUT, paths.ROOT / ".godot"]
-    doomed += [file for file in library.glob("*") if file.name != ".gitkeep"]
+    addon = paths.ROOT / "addons" / "blackhole_sky"
+    doomed = [paths.BUILD, paths.OUT, paths.ROOT / ".godot", *addon.glob("data/*.lut")]
+    doomed += [file for file in addon.glob("bin/*") if file.name != ".gitkeep"]
     if arguments:
         doomed.append(paths.cache_dir())
     for path in doomed:

@@ -8,7 +8,6 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 BUILD = ROOT / "build"
-RELEASE = BUILD / "release"
 OUT = ROOT / "out"
 LOGS = BUILD / "logs"
 STAMPS = BUILD / "stamps"

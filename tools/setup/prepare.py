@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 from setup import build, display, godot, packages, paths, project_import
 from setup.godot import Godot
 
@@ -20,16 +22,15 @@ def engine(extra_packages: list[str] | None = None) -> Godot:
     return found
 
 
-def tools(extra_packages: list[str] | None = None) -> Godot:
-    """engine() and the built extension with its command-line tools."""
-    found = engine(extra_packages)
+def table_tool() -> Path:
+    """The built table tool."""
+    return build.build("release", engine(), "blackhole-lut") / "lut_cli" / "blackhole-lut"
+
+
+def project() -> Godot:
+    """engine(), the built extension and the imported project: ready to start."""
+    found = engine()
     build.build("release", found)
-    return found
-
-
-def project(extra_packages: list[str] | None = None) -> Godot:
-    """tools() and the imported project: ready to start."""
-    found = tools(extra_packages)
     project_import.ensure_imported(found)
     return found
 

@@ -6,6 +6,7 @@ from __future__ import annotations
 import json
 import struct
 import subprocess
+import sys
 import tempfile
 import time
 import unittest
@@ -47,11 +48,13 @@ class CommandLine(unittest.TestCase):
                 self.assertIn("usage:", done.stderr)
 
     def test_a_second_start_is_quick(self) -> None:
-        run("lut", "--help")
-        started = time.monotonic()
-        done = run("lut", "--help")
-        self.assertLess(time.monotonic() - started, 3.0)
-        self.assertEqual(done.returncode, 0, done.stderr)
+        ready = [sys.executable, "-c", "from setup import prepare; prepare.project()"]
+        for limit_s in (600.0, 3.0):
+            started = time.monotonic()
+            done = subprocess.run(ready, cwd=_ROOT / "tools", capture_output=True, text=True, check=False)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertLess(time.monotonic() - started, limit_s)
+        self.assertEqual(done.stderr, "", "nothing is left to do")
 
     def test_from_any_folder_and_through_a_link(self) -> None:
         with tempfile.TemporaryDirectory() as folder:
