@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from pathlib import Path
 
@@ -15,7 +16,8 @@ from setup.locks import locked
 def build(preset: str, godot: Godot | None, target: str = "all") -> Path:
     """Brings `target` in build/PRESET up to date and returns that folder; quick when nothing changed.
 
-    The engine's own description of its API is asked from `godot`.
+    The engine's own description of its API is asked from `godot`. $GODOT_CPP_DIR names a folder with upstream
+    godot-cpp to build against; without it CMake decides.
     """
     folder = paths.BUILD / preset
     with locked(paths.BUILD / f"{preset}.lock", f"building {preset}"):
@@ -26,6 +28,8 @@ def build(preset: str, godot: Godot | None, target: str = "all") -> Path:
 
 def _configure(preset: str, folder: Path, godot: Godot | None) -> None:
     options = [f"-DGODOT_EXECUTABLE={godot.executable}"] if godot else []
+    if upstream := os.environ.get("GODOT_CPP_DIR"):
+        options.append(f"-DGODOT_CPP_DIR={os.path.abspath(upstream)}")
     presets = (paths.SOURCES / "CMakePresets.json").read_text(encoding="utf-8")
     wanted = stamps.digest(folder, presets, godot.version if godot else "", *options)
     stamp = folder / "configured.stamp"
