@@ -17,7 +17,7 @@ std::string reject_place(Inputs in) {
 }
 
 std::string reject_inverse(Inputs in) {
-	return !(in[1] > 0.0 && in[1] <= 600.0) ? "Phi must be > 0 and at most 600 rad" : reject_place(in);
+	return !(in[1] > 0.0 && in[1] <= 300.0) ? "Phi must be > 0 and at most 300 rad" : reject_place(in);
 }
 
 std::string reject_forward(Inputs in) {

@@ -42,7 +42,7 @@ inline Baseline baseline(double w, double phi) {
 		result.t = -0.5 * std::sinh(beyond);
 		result.t_slope = -0.5 * std::cosh(beyond);
 	}
-	result.q = std::sqrt(result.t * result.t + 2.0 * w);
+	result.q = std::hypot(result.t, std::sqrt(2.0 * w)); // t may be as large as exp(300)
 	result.s0 = result.t > 0.0 ? 0.5 * (result.t + result.q) : w / (result.q - result.t);
 	return result;
 }

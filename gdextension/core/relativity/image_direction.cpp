@@ -12,7 +12,7 @@ namespace blackhole {
 
 ImageDirection image_direction(double u, double phi) {
 	constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-	if (!(u > 0.0 && std::isfinite(u) && phi > 0.0 && phi <= 600.0)) {
+	if (!(u > 0.0 && std::isfinite(u) && phi > 0.0 && phi <= 300.0)) {
 		return {kNaN, kNaN};
 	}
 	const double w = baseline_width(u);

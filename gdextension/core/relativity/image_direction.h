@@ -12,7 +12,7 @@ struct ImageDirection {
 	double slope = 0.0;
 };
 
-/// The inverse of orbital_angle(): the y with Phi(u, y) = phi, for u > 0 and 0 < phi <= 600 rad, by Newton's
+/// The inverse of orbital_angle(): the y with Phi(u, y) = phi, for u > 0 and 0 < phi <= 300 rad, by Newton's
 /// method on a nearly linear variable inside a bracket. Relative error of y about phi times 2e-16, or 1e-15
 /// if larger. NaN for values out of range.
 ImageDirection image_direction(double u, double phi);

@@ -11,6 +11,26 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
+/// A direction against a motion, in forms that keep their digits at high speed.
+struct Split {
+	double size;
+	double gamma;
+	glm::dvec3 axis;
+	double cosine;
+	/// 1 + cosine, as half the square of |axis + direction|.
+	double one_plus_cosine;
+
+	Split(const glm::dvec3 &direction, const glm::dvec3 &celerity)
+			: size(glm::length(celerity)), gamma(std::hypot(1.0, size)),
+			  axis(size > 0.0 ? celerity / size : glm::dvec3(0.0)), cosine(glm::dot(axis, direction)),
+			  one_plus_cosine(0.5 * glm::dot(axis + direction, axis + direction)) {}
+
+	/// gamma + gamma beta cos; gamma - gamma beta = 1/(gamma + gamma beta).
+	[[nodiscard]] double doppler() const {
+		return cosine >= 0.0 ? gamma + size * cosine : 1.0 / (gamma + size) + size * one_plus_cosine;
+	}
+};
+
 } // namespace
 
 double radial_kappa(double u, ObserverMotion motion) {
@@ -24,7 +44,10 @@ double radial_kappa(double u, ObserverMotion motion) {
 }
 
 double infall_kappa(double u, double energy) {
-	const double kinetic = energy * energy - 1.0 + u;
+	double kinetic = energy * energy - 1.0 + u;
+	if (std::abs(kinetic) < 4e-16) {
+		kinetic = 0.0; // at rest, within rounding
+	}
 	return energy > 0.0 && u > 0.0 && kinetic >= 0.0 ? energy + std::sqrt(kinetic) : kNaN;
 }
 
@@ -67,22 +90,19 @@ Outcome<glm::dvec3> orbit_celerity(glm::dvec3 position_rs, glm::dvec3 axis) {
 }
 
 glm::dvec3 boost_direction(glm::dvec3 toward_source, glm::dvec3 celerity) {
-	const double gamma = std::sqrt(1.0 + glm::dot(celerity, celerity));
-	const double along = glm::dot(celerity, toward_source);
-	// A photon comes from the source with nu' = nu (gamma + celerity . n); its direction follows the boost.
-	return glm::normalize(toward_source + celerity * (1.0 + along / (1.0 + gamma)));
+	const Split split(toward_source, celerity);
+	if (split.size == 0.0) {
+		return glm::normalize(toward_source);
+	}
+	// Across the motion n' = n/D, along it (gamma cos + gamma beta)/D.
+	const double along = split.cosine >= 0.0
+			? split.gamma * split.cosine + split.size
+			: split.gamma * split.one_plus_cosine - 1.0 / (split.gamma + split.size);
+	return glm::normalize((toward_source - split.axis * split.cosine + split.axis * along) / split.doppler());
 }
 
 double doppler_factor(glm::dvec3 toward_source, glm::dvec3 celerity) {
-	const double along = glm::dot(celerity, toward_source);
-	const double size = glm::length(celerity);
-	const double gamma = std::sqrt(1.0 + size * size);
-	if (along >= 0.0) {
-		return gamma + along;
-	}
-	// gamma - size = 1/(gamma + size), and size + along = size |celerity/size + n|^2 / 2
-	const glm::dvec3 sum = celerity / size + toward_source;
-	return 1.0 / (gamma + size) + 0.5 * size * glm::dot(sum, sum);
+	return Split(toward_source, celerity).doppler();
 }
 
 } // namespace blackhole

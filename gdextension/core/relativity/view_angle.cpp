@@ -22,7 +22,9 @@ double sigma_offset(const Quad &u, const Quad &kappa, const Quad &xi) {
 
 } // namespace
 
-double view_angle(double u, double y, double kappa) { return 2.0 * std::atan2(critical_sigma(u) + y, kappa); }
+double view_angle(double u, double y, double kappa) {
+	return 2.0 * std::atan2(critical_sigma(u) + y, kappa);
+}
 
 double view_angle_beyond_shadow(double u, double y, double kappa) {
 	// tan of the difference of the two half angles
@@ -35,8 +37,12 @@ double view_angle_slope(double u, double y, double kappa) {
 	return 2.0 * (kappa / size) / size;
 }
 
-double static_sigma_offset(double u, double xi) { return sigma_offset(u, sqrt(1 - Quad(u)), xi); }
+double static_sigma_offset(double u, double xi) {
+	return sigma_offset(u, sqrt(1 - Quad(u)), xi);
+}
 
-double rain_sigma_offset(double u, double xi) { return sigma_offset(u, 1 + sqrt(Quad(u)), xi); }
+double rain_sigma_offset(double u, double xi) {
+	return sigma_offset(u, 1 + sqrt(Quad(u)), xi);
+}
 
 } // namespace blackhole

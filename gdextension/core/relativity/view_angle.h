@@ -16,8 +16,8 @@ double view_angle_beyond_shadow(double u, double y, double kappa);
 double view_angle_slope(double u, double y, double kappa);
 
 /// The y = sigma - sigma_c of the viewing direction xi for a static observer or for rain; negative inside the
-/// shadow. The difference is formed in quadruple precision, so that xi counts as an exact number even close to the
-/// shadow, where double precision would leave nothing of it. Slow (microseconds): not for rendering.
+/// shadow. The difference is formed in quadruple precision, so that xi counts as an exact number even close
+/// to the shadow, where double precision would leave nothing of it. Slow (microseconds): not for rendering.
 double static_sigma_offset(double u, double xi);
 double rain_sigma_offset(double u, double xi);
 

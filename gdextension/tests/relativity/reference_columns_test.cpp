@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+// Every column of every reference file, exactly and through the tables.
+#include "core/tables/lensing_tables.h"
+#include "lut_cli/reference_columns.h"
+#include "relativity/reference_data.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+
+namespace blackhole::test {
+namespace {
+
+/// Largest relative errors allowed. Inputs are doubles taken as exact. A direction is rounded as Phi is,
+/// times the condition number d ln y/d ln Phi: about 100 where a far observer (u = 1e-4) looks past the hole,
+/// hence 4e-14; all that does not go through the inversion keeps a few units of the last digit.
+struct Tolerance {
+	double exact;
+	double tabulated;
+};
+
+const std::map<std::string, Tolerance> &tolerances() {
+	constexpr double kRounding = 2e-15;
+	constexpr double kInverted = 4e-14;
+	constexpr double kInvertedSlope = 4e-13;
+	static const std::map<std::string, Tolerance> table = {
+			{"u_o", {0.0, 0.0}},
+			{"b", {0.0, 0.0}},
+			{"xi", {0.0, 0.0}},
+			{"phi", {0.0, 0.0}},
+			{"order", {0.0, 0.0}},
+			{"n", {0.0, 0.0}},
+			{"side", {0.0, 0.0}},
+			// Directions and what follows from them.
+			{"sigma", {kInverted, 1e-5}},
+			{"sigma_minus_crit", {kInverted, 2e-5}},
+			{"a", {kInverted, 2e-5}},
+			{"xi_rain", {kInverted, 1e-5}},
+			{"xi_static", {kInverted, 1e-5}},
+			{"xi_rain_minus_shadow", {kInverted, 2e-5}},
+			{"xi_static_minus_shadow", {kInverted, 2e-5}},
+			{"dxi_rain_dPhi", {kInvertedSlope, 3e-3}},
+			{"dxi_static_dPhi", {kInvertedSlope, 3e-3}},
+			{"mu_rain", {kInvertedSlope, 3e-3}},
+			{"mu_static", {kInvertedSlope, 3e-3}},
+			{"g_rain", {kRounding, 2e-5}},
+			{"g_static", {kRounding, kRounding}},
+			// Forward: no inversion; the difference from the shadow is formed in quadruple precision.
+			{"xi_minus_shadow", {kRounding, kRounding}},
+			{"Phi", {3e-15, 1e-5}},
+			{"dPhi_dxi", {4e-14, 3e-3}},
+			{"xi_shadow_rain", {kRounding, kRounding}},
+			{"xi_shadow_static", {kRounding, kRounding}},
+			// The strong limit crosses zero: 1e-15 absolute is 2e-13 relative in the worst row.
+			{"b_over_bc_minus_1", {kRounding, kRounding}},
+			{"alpha", {1e-14, 1e-14}},
+			{"alpha_weak4", {kRounding, kRounding}},
+			{"alpha_strong", {4e-13, 4e-13}},
+			{"r_min", {kRounding, kRounding}},
+	};
+	return table;
+}
+
+void compare(const std::string &name, const RaySource &rays, double Tolerance::*which) {
+	const ReferenceKind *kind = find_reference_kind(name);
+	ASSERT_NE(kind, nullptr);
+	const ReferenceData data(name);
+	ASSERT_GE(data.size(), 200U);
+	std::vector<std::vector<double>> columns;
+	for (const std::string &header : kind->columns) {
+		columns.push_back(data.column(header));
+	}
+	std::vector<double> worst(columns.size(), 0.0);
+	for (std::size_t row = 0; row < data.size(); ++row) {
+		std::vector<double> inputs;
+		for (std::size_t i = 0; i < kind->input_count; ++i) {
+			inputs.push_back(columns[i][row]);
+		}
+		ASSERT_EQ(kind->reject(inputs), "");
+		const std::vector<double> found = kind->evaluate(rays, inputs);
+		ASSERT_EQ(found.size(), columns.size());
+		for (std::size_t i = 0; i < columns.size(); ++i) {
+			const double expected = columns[i][row];
+			ASSERT_EQ(std::isnan(found[i]), std::isnan(expected)) << kind->columns[i] << " row " << row;
+			if (!std::isnan(expected) && found[i] != expected) {
+				worst[i] = std::max(worst[i], relative_error(found[i], expected));
+			}
+		}
+	}
+	for (std::size_t i = 0; i < columns.size(); ++i) {
+		const double limit = i < kind->input_count ? 0.0 : tolerances().at(kind->columns[i]).*which;
+		EXPECT_LE(worst[i], limit) << name << " " << kind->columns[i];
+	}
+}
+
+class ReferenceColumns : public testing::TestWithParam<std::string> {};
+
+TEST_P(ReferenceColumns, ExactValuesAgree) {
+	compare(GetParam(), ExactRays(), &Tolerance::exact);
+}
+
+TEST_P(ReferenceColumns, TabulatedValuesAgree) {
+	static const LensingTables tables = bake_lensing_tables();
+	compare(GetParam(), TabulatedRays(tables), &Tolerance::tabulated);
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, ReferenceColumns,
+		testing::Values("inverse_static", "inverse_rain", "forward_static", "forward_rain", "images", "rings",
+				"shadow", "deflection"),
+		[](const auto &test) { return test.param; });
+
+} // namespace
+} // namespace blackhole::test
