@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "src/background_layer.h"
 
+#include <godot_cpp/classes/image.hpp>
 #include <godot_cpp/classes/rendering_server.hpp>
 #include <godot_cpp/classes/resource_loader.hpp>
 #include <godot_cpp/variant/aabb.hpp>
@@ -26,6 +27,31 @@ RID make_screen_mesh(RenderingServer *server) {
 	const RID mesh = server->mesh_create();
 	server->mesh_add_surface_from_arrays(mesh, RenderingServer::PRIMITIVE_TRIANGLES, arrays);
 	return mesh;
+}
+
+/// The Compatibility renderer does not decode sRGB textures; the others do by the texture's format.
+bool arrives_as_srgb(RenderingServer *server, const RID &texture) {
+	if (server->get_current_rendering_method() != "gl_compatibility") {
+		return false;
+	}
+	switch (server->texture_get_format(texture)) {
+		case Image::FORMAT_RF:
+		case Image::FORMAT_RGF:
+		case Image::FORMAT_RGBF:
+		case Image::FORMAT_RGBAF:
+		case Image::FORMAT_RH:
+		case Image::FORMAT_RGH:
+		case Image::FORMAT_RGBH:
+		case Image::FORMAT_RGBAH:
+		case Image::FORMAT_RGBE9995:
+		case Image::FORMAT_BPTC_RGBF:
+		case Image::FORMAT_BPTC_RGBFU:
+		case Image::FORMAT_ASTC_4x4_HDR:
+		case Image::FORMAT_ASTC_8x8_HDR:
+			return false;
+		default:
+			return true;
+	}
 }
 
 } // namespace
@@ -94,6 +120,8 @@ void BackgroundLayer::set_source(int kind, const RID &panorama, double luminance
 	panorama_luminance = luminance;
 	server->material_set_param(material, "_background", kind);
 	server->material_set_param(material, "_panorama", panorama);
+	server->material_set_param(
+			material, "_panorama_is_srgb", panorama.is_valid() && arrives_as_srgb(server, panorama));
 	server->material_set_param(material, "_panorama_luminance", panorama_luminance * exposure);
 	show();
 }

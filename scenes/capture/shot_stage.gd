@@ -18,7 +18,9 @@ var _catalogues: Dictionary[String, StarCatalogue] = {}
 
 func _init() -> void:
 	_viewport.own_world_3d = true
-	_viewport.use_hdr_2d = true
+	# The Compatibility renderer draws in display values; there is no linear picture to keep.
+	_viewport.use_hdr_2d = (RenderingServer.get_current_rendering_method() != "gl_compatibility")
+	_sky.faint_limit = 1e-6
 	_viewport.msaa_3d = Viewport.MSAA_DISABLED
 	_viewport.render_target_update_mode = SubViewport.UPDATE_DISABLED
 	_camera.keep_aspect = Camera3D.KEEP_HEIGHT
