@@ -34,13 +34,14 @@ class PrivateApt:
         return self.folder / f"lists-{self.suite}"
 
     def update(self) -> bool:
-        """Fetches the package lists; without a network the ones kept from before are used."""
+        """Fetches the package lists; true when there are any, be it those kept from before."""
         for folder in (self.archives / "partial", self._lists / "partial"):
             folder.mkdir(parents=True, exist_ok=True)
         (self.folder / "status").touch()
         line = f"deb [arch={self.architecture} signed-by={_KEYRING}] {self.archive} {self.suite} main\n"
         (self.folder / "sources.list").write_text(line, encoding="utf-8")
-        return process.run_logged([*self._apt("apt-get"), "-q", "update"], self.log, append=True) == 0
+        process.run_logged([*self._apt("apt-get"), "-q", "update"], self.log, append=True)
+        return any(self._lists.glob("*_Packages*"))
 
     def candidate(self, package: str) -> str | None:
         """The version of a package that the suite offers."""
@@ -96,7 +97,7 @@ class PrivateApt:
             "APT::Keep-Downloaded-Packages": "true",
             "Acquire::Languages": "none",
             "Acquire::IndexTargets::deb::DEP-11::DefaultEnabled": "false",
-            "Acquire::Retries": "5",
+            "Acquire::Retries": "3",
         }
         return [tool, *(part for key, value in options.items() for part in ("-o", f"{key}={value}"))]
 

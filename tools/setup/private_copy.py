@@ -81,12 +81,12 @@ def _suite_with_godot(cache: Path, log: Path) -> tuple[PrivateApt, tuple[int, in
     for address in archive.candidates():
         for suite in SUITES:
             apt = PrivateApt(cache / "apt", address, suite, architecture, log)
-            fetched = apt.update()
+            listed = apt.update()
             offered = apt.candidate("godot")
             version = godot_version.parse(offered or "")
             if version and godot_version.is_enough(version):
                 return apt, version
-            seen.append(f"{suite}: {offered or ('no Godot' if fetched else 'the package lists could not be fetched')}")
+            seen.append(f"{suite}: {offered or ('no Godot' if listed else 'its package lists could not be fetched')}")
     raise Failure(
         "Godot 4.6 or newer was not found on this machine, and Debian's archive gave none:\n    "
         + "\n    ".join(seen)
