@@ -18,6 +18,11 @@ inline constexpr double kReferenceSolidAngle = 1.0 / 388800.0;
 /// One square second of arc in steradians.
 inline constexpr double kSquareArcsecond = 2.3504430539097885e-11;
 
+/// What the linear texels of data/milky_way.exr are multiplied by to lie on this scale: the logarithmic mean
+/// over six fields of known surface brightness, from 0.05 to 0.47 because the picture's contrast is stretched
+/// (tools/milky_way/README.md).
+inline constexpr double kMilkyWayScale = 0.147;
+
 /// Solid angle in steradians of a square pixel of a flat picture p_rows high that spans p_vertical_fov
 /// radians (0 to pi), where the picture plane at distance 1 is pierced at p_tangent (0, 0 on the axis; |y| up
 /// to tan(fov/2)).
