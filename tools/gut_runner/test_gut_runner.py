@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Tests of the test runner: a corpus of GutTest scripts whose outcomes are known, and the installer.
+"""Tests of the test runner: a corpus of GutTest scripts whose outcomes are known, and its command line.
 
     python3 -m unittest discover -s tools/gut_runner        # or: python3 tools/gut_runner/test_gut_runner.py
 
@@ -98,6 +98,16 @@ class GodotCase(unittest.TestCase):
 class Corpus(GodotCase):
     """The outcome of every test is the one its name says."""
 
+    code: int
+    result: dict[str, str]
+    junit: ElementTree.Element
+
+    @classmethod
+    def setUpClass(cls) -> None:
+        super().setUpClass()
+        cls.code, cls.result = cls.project.outcomes("-gdir=res://tests")
+        cls.junit = ElementTree.parse(cls.project.root / "results.xml").getroot()
+
     def check_names(self, outcomes: dict[str, str]) -> None:
         for test, status in outcomes.items():
             name = test.split("::")[1]
@@ -116,11 +126,10 @@ class Corpus(GodotCase):
         return count
 
     def test_outcomes(self) -> None:
-        code, outcomes = self.project.outcomes("-gdir=res://tests")
-        self.assertEqual(code, 1)
+        self.assertEqual(self.code, 1)
         # test_derived.gd inherits two tests: one from another file, one from another class.
-        self.assertEqual(len(outcomes), self.written("tests") + 2)
-        self.check_names(outcomes)
+        self.assertEqual(len(self.result), self.written("tests") + 2)
+        self.check_names(self.result)
 
     def test_stricter_than_gut(self) -> None:
         code, outcomes = self.project.outcomes("-gdir=res://stricter")
@@ -138,13 +147,10 @@ class Corpus(GodotCase):
         real = Project(Path(addon))
         self.addCleanup(real.close)
         real.import_all()
-        self.assertEqual(
-            self.project.outcomes("-gdir=res://tests"), real.outcomes("-gdir=res://tests")
-        )
+        self.assertEqual((self.code, self.result), real.outcomes("-gdir=res://tests"))
 
     def test_junit_counts(self) -> None:
-        self.project.outcomes("-gdir=res://tests")
-        root = ElementTree.parse(self.project.root / "results.xml").getroot()
+        root = self.junit
         self.assertEqual(root.tag, "testsuites")
         cases = list(root.iter("testcase"))
         self.assertEqual(int(root.get("tests")), len(cases))
@@ -247,6 +253,10 @@ class CommandLine(GodotCase):
         self.check(0, "1 passed", *expecting)
         self.check(1, "errors are not tracked", *expecting, "-gno_error_tracking")
 
+    def test_error_outside_the_tests(self) -> None:
+        stray = "-gtest=res://special/test_stray.gd"
+        self.check(1, "error before special/test_stray.gd", "-gconfig=", stray)
+
     def test_junit_file_that_cannot_be_written(self) -> None:
         arguments = ("-gconfig=", ALONE, "-gjunit_xml_file=/proc/no/such/place.xml")
         self.check(1, "cannot write the JUnit file", *arguments)
@@ -261,69 +271,6 @@ class ClassNames(unittest.TestCase):
         run = project.gut("-gconfig=", ALONE)
         self.assertEqual(run.returncode, 1)
         self.assertIn("--import", run.stdout + run.stderr)
-
-
-class Installer(unittest.TestCase):
-    """What install.py writes, and what it leaves alone."""
-
-    def setUp(self) -> None:
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.root = Path(folder.name)
-        (self.root / "project.godot").write_text("config_version=5\n")
-        self.target = self.root / "addons" / "gut"
-
-    def test_installs_once(self) -> None:
-        self.assertIn("installed", run_installer(self.root))
-        first = (self.target / "test.gd").stat().st_mtime_ns
-        self.assertIn("up to date", run_installer(self.root))
-        self.assertEqual((self.target / "test.gd").stat().st_mtime_ns, first)
-
-    def test_repairs(self) -> None:
-        run_installer(self.root)
-        (self.target / "test.gd").write_text("# changed\n")
-        self.assertIn("installed", run_installer(self.root))
-        self.assertIn("class_name GutTest", (self.target / "test.gd").read_text())
-        (self.target / "gut.gd").unlink()
-        self.assertIn("installed", run_installer(self.root))
-        self.assertTrue((self.target / "gut.gd").exists())
-
-    def test_goes_on_after_an_interruption(self) -> None:
-        self.target.mkdir(parents=True)
-        (self.target / ".blackhole_sky_runner").write_text("{")
-        (self.target / "test.gd").write_text("")
-        self.assertIn("installed", run_installer(self.root))
-        self.assertIn("up to date", run_installer(self.root))
-
-    def test_takes_away_what_is_no_longer_part(self) -> None:
-        run_installer(self.root)
-        marker = self.target / ".blackhole_sky_runner"
-        content = json.loads(marker.read_text())
-        content["files"].append("parts/old.gd")
-        content["hash"] = "of an earlier version"
-        marker.write_text(json.dumps(content))
-        (self.target / "parts" / "old.gd").write_text("")
-        run_installer(self.root)
-        self.assertFalse((self.target / "parts" / "old.gd").exists())
-
-    def test_leaves_gut_alone(self) -> None:
-        self.target.mkdir(parents=True)
-        (self.target / "test.gd").write_text("somebody else's")
-        self.assertIn("left as it is", run_installer(self.root))
-        self.assertEqual((self.target / "test.gd").read_text(), "somebody else's")
-        self.assertFalse((self.target / "parts").exists())
-
-    def test_leaves_gut_unpacked_over_the_runner_alone(self) -> None:
-        run_installer(self.root)
-        (self.target / "plugin.cfg").write_text("[plugin]\n")
-        (self.target / "test.gd").write_text("somebody else's")
-        self.assertIn("left as it is", run_installer(self.root))
-        self.assertEqual((self.target / "test.gd").read_text(), "somebody else's")
-
-    def test_wants_a_project(self) -> None:
-        (self.root / "project.godot").unlink()
-        with self.assertRaises(subprocess.CalledProcessError):
-            run_installer(self.root)
 
 
 if __name__ == "__main__":

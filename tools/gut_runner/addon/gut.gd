@@ -91,14 +91,15 @@ func _run_all() -> void:
 		if _pre_run.should_abort():
 			_results.complaints.append("the pre-run hook called the run off")
 			return
+	tracks_errors = not _options.values["no_error_tracking"]
+	if tracks_errors:
+		OS.add_logger(error_tracker)
 	var collector: Collector = Collector.new()
 	collector.collect(_options.values)
 	_results.complaints.append_array(collector.complaints)
 	for complaint: String in collector.complaints:
 		_report.complain(complaint)
-	tracks_errors = not _options.values["no_error_tracking"]
-	if tracks_errors:
-		OS.add_logger(error_tracker)
+	_complain_about_stray_errors("while collecting the tests")
 	for i: int in collector.suites.size():
 		_report.script_begins(collector.suites[i].name, i + 1, collector.suites.size())
 		await _run_suite(collector.suites[i])
@@ -131,6 +132,7 @@ func _run_suite(suite: Collector.Suite) -> void:
 		script_result.skip_reason = str(skip) if skip is String else "should_skip_script()"
 	else:
 		add_child(test)
+		_complain_about_stray_errors("before %s" % suite.name)
 		await _run_around(test, &"before_all", script_result)
 		for name: String in suite.tests:
 			await _run_test(test, name, script_result)
@@ -139,6 +141,7 @@ func _run_suite(suite: Collector.Suite) -> void:
 	test.free()
 	# Lets queue_free() of the script's nodes happen before the next script begins.
 	await get_tree().process_frame
+	_complain_about_stray_errors("after %s" % suite.name)
 
 
 ## before_all and after_all appear among the results only when something failed in them.
@@ -187,3 +190,11 @@ func _fail_on_errors(test: GutTest) -> void:
 	error_tracker.clear()
 	if not texts.is_empty():
 		test.fail_test("unexpected errors:\n" + "\n".join(texts))
+
+
+## An error outside the tests belongs to none of them; it fails the run. Warnings do not.
+func _complain_about_stray_errors(when: String) -> void:
+	for error: GutTrackedError in error_tracker.get_errors():
+		if error.error_type != Logger.ERROR_TYPE_WARNING:
+			_results.complaints.append("error %s: %s" % [when, error.to_s()])
+	error_tracker.clear()

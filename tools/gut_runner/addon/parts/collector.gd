@@ -76,8 +76,10 @@ func _collect_script(path: String) -> void:
 		_add_suite(name, script)
 	var constants: Dictionary = script.get_script_constant_map()
 	for constant: String in constants:
-		var inner: GDScript = constants[constant] as GDScript
-		if inner == null or not constant.begins_with(INNER_PREFIX) or not _is_test(inner):
+		if not constant.begins_with(INNER_PREFIX) or constants[constant] is not GDScript:
+			continue
+		var inner: GDScript = constants[constant]
+		if not _is_test(inner):
 			continue
 		if wanted_class.is_empty() or wanted_class in constant:
 			_add_suite("%s.%s" % [name, constant], inner)

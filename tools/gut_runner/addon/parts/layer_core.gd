@@ -84,7 +84,6 @@ func begin_test(result: Results.TestResult) -> void:
 	_result = result
 	_parameters = []
 	_parameter_index = -1
-	gut.error_tracker.clear()
 
 
 ## For the runner: the test is over.

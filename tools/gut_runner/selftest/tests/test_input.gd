@@ -22,52 +22,52 @@ func after_each() -> void:
 
 func test_pass_action() -> void:
 	_sender.action_down("jump")
-	await wait_physics_frames(1)
+	await wait_process_frames(2)
 	assert_true(Input.is_action_pressed("jump"))
 	_sender.action_up("jump")
-	await wait_physics_frames(1)
+	await wait_process_frames(2)
 	assert_false(Input.is_action_pressed("jump"))
 
 
 func test_pass_hold_for() -> void:
-	_sender.action_down("jump").hold_for(0.2)
-	await wait_physics_frames(2)
+	_sender.action_down("jump").hold_for(0.8)
+	await wait_process_frames(2)
 	assert_true(Input.is_action_pressed("jump"))
 	await _sender.idle
-	await wait_physics_frames(1)
+	await wait_process_frames(2)
 	assert_false(Input.is_action_pressed("jump"))
 
 
 func test_pass_wait_frames() -> void:
 	var start: int = Engine.get_physics_frames()
-	_sender.action_down("jump").wait_frames(10).action_up("jump")
-	await wait_physics_frames(2)
+	_sender.action_down("jump").wait_frames(40).action_up("jump")
+	await wait_process_frames(2)
 	assert_true(Input.is_action_pressed("jump"))
 	await _sender.idle
-	assert_between(Engine.get_physics_frames() - start, 9, 13)
+	assert_between(Engine.get_physics_frames() - start, 39, 60)
 
 
 func test_pass_release_all() -> void:
 	_sender.action_down("jump").key_down(KEY_A)
-	await wait_physics_frames(1)
+	await wait_process_frames(2)
 	_sender.release_all()
-	await wait_physics_frames(1)
+	await wait_process_frames(2)
 	assert_false(Input.is_action_pressed("jump"))
 	assert_false(Input.is_key_pressed(KEY_A))
 
 
 func test_pass_key() -> void:
 	_sender.key_down(KEY_B)
-	await wait_physics_frames(1)
+	await wait_process_frames(2)
 	assert_true(Input.is_key_pressed(KEY_B))
 	_sender.key_up(KEY_B)
-	await wait_physics_frames(1)
+	await wait_process_frames(2)
 	assert_false(Input.is_key_pressed(KEY_B))
 
 
 func test_pass_key_by_letter() -> void:
 	_sender.key_down("c")
-	await wait_physics_frames(1)
+	await wait_process_frames(2)
 	assert_true(Input.is_key_pressed(KEY_C))
 
 
@@ -76,7 +76,7 @@ func test_pass_axis() -> void:
 	motion.axis = JOY_AXIS_LEFT_X
 	motion.axis_value = 0.5
 	_sender.send_event(motion)
-	await wait_physics_frames(1)
+	await wait_process_frames(2)
 	assert_almost_eq(Input.get_joy_axis(0, JOY_AXIS_LEFT_X), 0.5, 1e-6)
 
 
