@@ -26,8 +26,8 @@ PackedStringArray BlackHoleSky::_get_configuration_warnings() const {
 	if (!is_inside_tree()) {
 		return warnings;
 	}
-	const Vector3 scale = get_global_transform().basis.get_scale();
-	if (!scale.is_equal_approx(Vector3(1, 1, 1))) {
+	const Basis basis = get_global_transform().basis;
+	if (!basis.is_equal_approx(basis.orthonormalized())) {
 		warnings.push_back(
 				"The node is scaled, which changes nothing here. Set the size by `schwarzschild_radius`.");
 	}

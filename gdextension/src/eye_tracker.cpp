@@ -61,7 +61,7 @@ void EyeTracker::add(Node *node) {
 	if (Object::cast_to<Viewport>(node) == nullptr) {
 		return;
 	}
-	const ObjectID id(node->get_instance_id());
+	const uint64_t id = node->get_instance_id();
 	if (std::find(viewports.begin(), viewports.end(), id) == viewports.end()) {
 		viewports.push_back(id);
 	}
@@ -69,13 +69,13 @@ void EyeTracker::add(Node *node) {
 
 void EyeTracker::remove(Node *node) {
 	if (Object::cast_to<Viewport>(node) != nullptr) {
-		std::erase(viewports, ObjectID(node->get_instance_id()));
+		std::erase(viewports, node->get_instance_id());
 	}
 }
 
 const std::vector<WatchingEye> &EyeTracker::eyes_in(const Ref<World3D> &world) {
 	eyes.clear();
-	for (const ObjectID id : viewports) {
+	for (const uint64_t id : viewports) {
 		auto *viewport = Object::cast_to<Viewport>(ObjectDB::get_instance(id));
 		if (viewport == nullptr || !viewport->is_inside_tree()) {
 			continue;

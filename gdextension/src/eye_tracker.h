@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include <glm/vec3.hpp>
 
 #include <godot_cpp/classes/node.hpp>
+#include <godot_cpp/classes/ref.hpp>
 #include <godot_cpp/classes/scene_tree.hpp>
 #include <godot_cpp/classes/viewport.hpp>
 #include <godot_cpp/classes/world3d.hpp>
-#include <godot_cpp/core/object_id.hpp>
 
 /// From where, and how finely, a viewport looks at its world.
 struct WatchingEye {
@@ -34,6 +35,6 @@ public:
 	const std::vector<WatchingEye> &eyes_in(const godot::Ref<godot::World3D> &world);
 
 private:
-	std::vector<godot::ObjectID> viewports;
+	std::vector<uint64_t> viewports;
 	std::vector<WatchingEye> eyes;
 };

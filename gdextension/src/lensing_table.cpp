@@ -10,7 +10,6 @@
 #include <vector>
 
 #include <godot_cpp/classes/file_access.hpp>
-#include <godot_cpp/variant/callable_method_pointer.hpp>
 #include <godot_cpp/variant/packed_byte_array.hpp>
 #include <godot_cpp/variant/utility_functions.hpp>
 
@@ -122,19 +121,17 @@ void LensingTable::bake() {
 	baking = true;
 	bake_cancelled = false;
 	bake_progress = 0.0;
-	worker = std::thread([this, self = Ref<LensingTable>(this)]() {
+	// The destructor waits for the worker, so `this` outlives it.
+	worker = std::thread([this]() {
 		blackhole::LensingTables made = blackhole::bake_lensing_tables([this](double progress) {
 			bake_progress = progress;
 			return !bake_cancelled;
 		});
-		{
+		if (!bake_cancelled) {
 			const std::lock_guard<std::mutex> lock(baked_mutex);
-			if (!bake_cancelled) {
-				baked = std::move(made);
-			}
+			baked = std::move(made);
 		}
-		// The resource stays alive until the main thread has taken the result over.
-		callable_mp(self.ptr(), &LensingTable::finish_bake).call_deferred();
+		call_deferred("_finish_bake");
 	});
 }
 
@@ -203,6 +200,7 @@ void LensingTable::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("save_file", "path"), &LensingTable::save_file);
 	ClassDB::bind_method(D_METHOD("bake"), &LensingTable::bake);
 	ClassDB::bind_method(D_METHOD("cancel_bake"), &LensingTable::cancel_bake);
+	ClassDB::bind_method(D_METHOD("_finish_bake"), &LensingTable::finish_bake);
 	ClassDB::bind_method(D_METHOD("is_baking"), &LensingTable::is_baking);
 	ClassDB::bind_method(D_METHOD("get_bake_progress"), &LensingTable::get_bake_progress);
 	ClassDB::bind_method(D_METHOD("is_ready"), &LensingTable::is_ready);

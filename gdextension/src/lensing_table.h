@@ -9,6 +9,7 @@
 #include <thread>
 
 #include <godot_cpp/classes/image_texture.hpp>
+#include <godot_cpp/classes/ref.hpp>
 #include <godot_cpp/classes/resource.hpp>
 #include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/variant/dictionary.hpp>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <godot_cpp/classes/image_texture.hpp>
+#include <godot_cpp/classes/ref.hpp>
 
 /// The Planck light table as a texture (RGBA32F, one row), baked at first use and shared by all nodes.
 godot::Ref<godot::ImageTexture> planck_texture();

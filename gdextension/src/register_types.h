@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <godot_cpp/core/class_db.hpp>
+#include <godot_cpp/godot.hpp>
 
 void initialize_blackhole_sky(godot::ModuleInitializationLevel level);
 void uninitialize_blackhole_sky(godot::ModuleInitializationLevel level);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <godot_cpp/classes/rendering_server.hpp>
+#include <godot_cpp/classes/resource.hpp>
 #include <godot_cpp/classes/resource_loader.hpp>
 #include <godot_cpp/variant/array.hpp>
 #include <godot_cpp/variant/packed_float32_array.hpp>

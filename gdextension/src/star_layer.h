@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include <godot_cpp/classes/ref.hpp>
 #include <godot_cpp/classes/shader.hpp>
 #include <godot_cpp/variant/rid.hpp>
 
