@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+// The shader's own source, compiled as C++, against the exact solution.
+#include "core/tables/shader_lensing.h"
+
+#include "core/relativity/image_direction.h"
+#include "core/relativity/shadow.h"
+#include "core/relativity/star_image.h"
+#include "core/relativity/view_angle.h"
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace blackhole::test {
+namespace {
+
+const LensingTables &baked() {
+	static const LensingTables tables = bake_lensing_tables();
+	return tables;
+}
+
+struct Place {
+	double r;
+	ObserverMotion motion;
+};
+const Place kPlaces[] = {{0.1, ObserverMotion::kRain}, {0.5, ObserverMotion::kRain},
+		{1.0, ObserverMotion::kRain}, {1.2, ObserverMotion::kStatic}, {1.5, ObserverMotion::kStatic},
+		{1.6, ObserverMotion::kStatic}, {3.0, ObserverMotion::kStatic}, {10.0, ObserverMotion::kStatic},
+		{10.0, ObserverMotion::kRain}, {100.0, ObserverMotion::kStatic}, {1e4, ObserverMotion::kStatic}};
+const glm::vec3 kOutward = glm::normalize(glm::vec3(0.4F, 0.3F, -0.8F));
+const glm::vec3 kAcross = glm::normalize(glm::cross(kOutward, glm::vec3(0.1F, 1.0F, 0.0F)));
+
+/// Angle between two directions, well-conditioned when small.
+double angle_between(const glm::dvec3 &a, const glm::dvec3 &b) {
+	return 2.0 * std::atan2(glm::length(a - b), glm::length(a + b));
+}
+
+TEST(ShaderStarImage, AgreesWithTheExactImage) {
+	const ShaderLensing shader(baked());
+	for (const Place &place : kPlaces) {
+		const glm::vec3 position = kOutward * static_cast<float>(place.r);
+		for (const float phi : {0.01F, 0.3F, 1.0F, 2.0F, 3.0F, 3.13F}) {
+			const glm::vec3 star = glm::normalize(kOutward * std::cos(phi) + kAcross * std::sin(phi));
+			for (int order = 0; order < 4; ++order) {
+				// The rounded inputs are the question; only what the shader does with them is its error.
+				const auto exact = star_image(glm::dvec3(position), glm::dvec3(star), order, place.motion);
+				ASSERT_TRUE(exact) << exact.error;
+				const auto found = shader.star_image(position, star, order, place.motion, 0.0F);
+				const std::string where = "r " + std::to_string(place.r) + " phi " + std::to_string(phi) +
+						" order " + std::to_string(order);
+				// Close to the axis the direction's part across it is rounded by 6e-8/sin phi; the boost of a
+				// static observer near the horizon stretches that.
+				const double rounding = 5e-7 / std::sin(phi);
+				EXPECT_LT(angle_between(glm::dvec3(found.direction), exact.value->direction), 3e-6 + rounding)
+						<< where;
+				EXPECT_NEAR(found.magnification / exact.value->magnification, 1.0, 1e-3 + rounding) << where;
+				EXPECT_NEAR(found.redshift / exact.value->redshift, 1.0, 2e-5 + rounding) << where;
+			}
+		}
+	}
+}
+
+TEST(ShaderStarImage, IsFiniteOnTheAxis) {
+	const ShaderLensing shader(baked());
+	for (const Place &place : kPlaces) {
+		for (const glm::vec3 &star : {kOutward, -kOutward}) {
+			for (int order = 0; order < 4; ++order) {
+				const auto image = shader.star_image(
+						kOutward * static_cast<float>(place.r), star, order, place.motion, 1e-8F);
+				EXPECT_TRUE(std::isfinite(image.magnification)) << place.r << " " << order;
+				EXPECT_TRUE(std::isfinite(image.redshift)) << place.r << " " << order;
+				EXPECT_FALSE(std::isnan(image.direction.x + image.direction.y + image.direction.z))
+						<< place.r;
+			}
+		}
+	}
+}
+
+TEST(ShaderRay, IsTheStarImagesRay) {
+	// ray_of_angle() repeats the middle of lens_star_image(); both must stay the same function.
+	const ShaderLensing shader(baked());
+	for (const double r : {0.1, 1.0, 5.0, 300.0}) {
+		for (const float phi : {0.2F, 1.5F, 2.9F}) {
+			for (int order = 0; order < 4; ++order) {
+				const double whole = order % 2 == 0 ? order * std::numbers::pi + phi
+													: (order + 1) * std::numbers::pi - phi;
+				const auto ray = shader.ray_of_angle(1.0 / r, whole);
+				const glm::vec3 star(0.0F, std::sin(phi), std::cos(phi));
+				const auto image = shader.star_image(glm::vec3(0.0F, 0.0F, static_cast<float>(r)), star,
+						order, ObserverMotion::kRain, 0.0F);
+				const double xi = std::acos(std::clamp(-double{image.direction.z}, -1.0, 1.0));
+				const double expected = 2.0 * std::atan(double{ray.sigma} / (1.0 + std::sqrt(1.0 / r)));
+				EXPECT_NEAR(xi, expected, 1e-6 + 2e-7 / xi) << r << " " << phi << " " << order;
+			}
+		}
+	}
+}
+
+TEST(ShaderTrace, AgreesWithTheExactRay) {
+	const ShaderLensing shader(baked());
+	for (const Place &place : kPlaces) {
+		const glm::vec3 position = kOutward * static_cast<float>(place.r);
+		const double edge = shadow_half_angle(1.0 / place.r, place.motion);
+		for (const double part : {0.002, 0.02, 0.1, 0.3, 0.6, 0.9, 0.99}) {
+			const auto xi = static_cast<float>(edge + part * (std::numbers::pi - edge));
+			const glm::vec3 view = glm::normalize(kAcross * std::sin(xi) - kOutward * std::cos(xi));
+			const auto exact = trace_view_direction(glm::dvec3(position), glm::dvec3(view), place.motion);
+			ASSERT_TRUE(exact);
+			const auto found = shader.trace(position, view, place.motion);
+			ASSERT_EQ(found.captured, exact.value->captured);
+			// The table's error, and the single-precision view direction magnified by |dPhi/dxi|.
+			const double tolerance = 1e-5 + 1e-6 * std::abs(found.slope);
+			EXPECT_LT(angle_between(glm::dvec3(found.direction), exact.value->sky_direction), tolerance)
+					<< "r " << place.r << " xi " << xi;
+			EXPECT_NEAR(found.redshift / exact.value->redshift, 1.0, 2e-5) << "r " << place.r << " xi " << xi;
+		}
+	}
+}
+
+TEST(ShaderTrace, HasTheShadowWhereItIs) {
+	const ShaderLensing shader(baked());
+	for (const Place &place : kPlaces) {
+		const glm::vec3 position = kOutward * static_cast<float>(place.r);
+		const double edge = shadow_half_angle(1.0 / place.r, place.motion);
+		// A thousandth of a pixel at 60 degrees over 720 rows is 1.5e-6 rad.
+		for (const double offset : {-2e-6, 2e-6}) {
+			const auto xi = edge + offset;
+			const glm::vec3 view(glm::dvec3(kAcross) * std::sin(xi) - glm::dvec3(kOutward) * std::cos(xi));
+			EXPECT_EQ(shader.trace(position, view, place.motion).captured, offset < 0.0) << place.r;
+		}
+	}
+}
+
+TEST(ShaderRay, IsContinuousInTheObserversPlace) {
+	// Across the rows of the table, the photon sphere, the horizon and the table's far end no step is
+	// visible.
+	const ShaderLensing shader(baked());
+	for (const double phi : {0.5, 2.5, 3.3, 6.0}) {
+		double before = 0.0;
+		for (double log_u = std::log(1e-9); log_u < std::log(20.0); log_u += 0.003) {
+			const double u = std::exp(log_u);
+			const double ratio = shader.ray_of_angle(u, phi).clearance / image_direction(u, phi).y;
+			EXPECT_NEAR(ratio, 1.0, 1e-3) << u << " " << phi;
+			if (before != 0.0) {
+				EXPECT_NEAR(ratio, before, 3e-5) << u << " " << phi;
+			}
+			before = ratio;
+		}
+	}
+}
+
+} // namespace
+} // namespace blackhole::test
