@@ -10,6 +10,8 @@ extends Node3D
 @onready var _router: ActionRouter = $Actions
 @onready var _readouts: Readouts = %Readouts
 @onready var _hint: Label = %Hint
+@onready var _pointer: IdlePointer = $IdlePointer
+@onready var _frame: Control = %Frame
 @onready var _notices: NoticeBoard = %Notices
 @onready var _help: HelpOverlay = %Help
 
@@ -23,7 +25,12 @@ func _ready() -> void:
 	_help.quit_asked.connect(quit)
 	_route_actions()
 	_data.load_all()
-	_hint.text = tr("%s  Help") % BindingNames.keyboard([&"toggle_help"]).get_slice("  ", 0)
+	_show_hint()
+
+
+func _notification(what: int) -> void:
+	if what == NOTIFICATION_TRANSLATION_CHANGED and is_node_ready():
+		_show_hint()
 
 
 func _process(_delta: float) -> void:
@@ -68,6 +75,11 @@ func _route_actions() -> void:
 	_router.always = [&"toggle_help", &"toggle_fullscreen", &"quit"]
 
 
+func _show_hint() -> void:
+	var keys := BindingNames.keyboard([&"toggle_help"])
+	_hint.text = "%s  %s" % [keys.get_slice(BindingNames.BETWEEN, 0), tr("Help")]
+
+
 func _on_next_observer() -> void:
 	_switches.next_observer(_controls.rig.get_distance())
 
@@ -84,3 +96,5 @@ func _on_switches_warned(topic: StringName, text: String) -> void:
 func _on_help_visibility_changed() -> void:
 	_controls.listening = not _help.visible
 	_router.restricted = _help.visible
+	_frame.visible = not _help.visible
+	_pointer.wake()

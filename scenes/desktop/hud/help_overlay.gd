@@ -6,14 +6,15 @@ extends Control
 signal fullscreen_asked
 signal quit_asked
 
-## What is explained, which actions do it, and what the mouse does beside them.
+## What is explained, which actions do it, and what the mouse does beside them; an empty row begins
+## the second column.
 const ROWS: Array[Array] = [
-	["Go round the hole", [&"orbit_left", &"orbit_right", &"orbit_up", &"orbit_down"], "drag"],
-	["Nearer, farther", [&"approach", &"recede"], "wheel"],
+	["Go round the hole", [&"orbit_left", &"orbit_right", &"orbit_up", &"orbit_down"], "Drag"],
+	["Nearer, farther", [&"approach", &"recede"], "Wheel"],
 	["Orbit or free flight", [&"toggle_flight"], ""],
 	["Fly", [&"fly_forward", &"fly_left", &"fly_back", &"fly_right"], ""],
 	["Fly down, up", [&"fly_down", &"fly_up"], ""],
-	["Look around in flight", [&"look_left", &"look_right", &"look_up", &"look_down"], "drag"],
+	["Look around in flight", [&"look_left", &"look_right", &"look_up", &"look_down"], "Drag"],
 	["Roll", [&"roll_left", &"roll_right"], ""],
 	["Faster, while held", [&"fly_fast"], ""],
 	["First view", [&"reset_view"], ""],
@@ -37,7 +38,6 @@ const ROWS: Array[Array] = [
 
 
 func _ready() -> void:
-	_fill()
 	_close.pressed.connect(close)
 	_fullscreen.pressed.connect(fullscreen_asked.emit)
 	_quit.pressed.connect(quit_asked.emit)
@@ -51,8 +51,7 @@ func _unhandled_input(event: InputEvent) -> void:
 
 
 func open() -> void:
-	show()
-	_close.grab_focus()
+	_appear(_close)
 
 
 func close() -> void:
@@ -63,12 +62,22 @@ func close() -> void:
 func ask_to_quit() -> void:
 	if visible and _quit.has_focus():
 		quit_asked.emit()
-		return
-	show()
-	_quit.grab_focus()
+	else:
+		_appear(_quit)
 
 
+func _appear(focus: Button) -> void:
+	if not visible:
+		_fill()
+		show()
+	focus.grab_focus()
+
+
+# Anew each time: language and bindings may have changed.
 func _fill() -> void:
+	for column: GridContainer in [_left, _right]:
+		for cell in column.get_children():
+			cell.free()
 	var grid := _left
 	_add_row(grid, "", "Keyboard and mouse", "Gamepad", &"Caption")
 	for row in ROWS:
@@ -79,9 +88,9 @@ func _fill() -> void:
 		var actions: Array[StringName] = []
 		actions.assign(row[1] as Array)
 		var keys := BindingNames.keyboard(actions)
-		var mouse := row[2] as String
+		var mouse: String = row[2]
 		if not mouse.is_empty():
-			keys = "%s  %s" % [tr(mouse), keys]
+			keys = tr(mouse) + BindingNames.BETWEEN + keys
 		_add_row(grid, row[0] as String, keys, BindingNames.gamepad(actions))
 
 

@@ -7,7 +7,7 @@ extends Node
 const REFERENCE_HEIGHT: float = 720.0
 ## Standard deviation of a star's sprite at that height and the least that pixels can show, in
 ## pixels.
-const STAR_SIGMA: float = 0.9
+const STAR_SIGMA: float = 0.8
 const LEAST_SIGMA: float = 0.7
 const LARGEST_SCALE: float = 4.0
 

@@ -38,8 +38,8 @@ static func significant(value: float) -> String:
 
 static func observer(motion: LensingTable.Motion) -> String:
 	if motion == LensingTable.MOTION_STATIC:
-		return _translated("static, hovering in place")
-	return _translated("rain, falling from rest at infinity")
+		return _translated("static, hovering")
+	return _translated("rain, falling from infinity")
 
 
 static func background(kind: BlackHoleSky.Background) -> String:

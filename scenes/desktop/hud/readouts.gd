@@ -40,7 +40,7 @@ func update() -> void:
 	_distance.text = ReadoutText.distance(distance)
 	_inside.visible = inside
 	_observer.text = ReadoutText.observer(sky.observer_motion)
-	_shadow.text = ReadoutText.angle(shadow_angle(sky, distance))
+	_shadow.text = tr("%s across") % ReadoutText.angle(shadow_angle(sky, distance))
 	_frames.text = tr("%d per second") % roundi(Engine.get_frames_per_second())
 	var mode := tr("orbit") if controls.mode == ViewControls.Mode.ORBIT else tr("free flight")
 	var lensing := tr("lensing on") if sky.lensing > 0.5 else tr("lensing off")

@@ -3,11 +3,15 @@ class_name BindingNames
 extends RefCounted
 ## Says in words which keys and gamepad controls an input action is bound to.
 
+## What stands between two names.
+const BETWEEN: String = "   "
 const KEYS: Dictionary[Key, String] = {
-	KEY_LEFT: "Arrows",
-	KEY_RIGHT: "Arrows",
-	KEY_UP: "Arrows",
-	KEY_DOWN: "Arrows",
+	KEY_LEFT: "Arrow keys",
+	KEY_RIGHT: "Arrow keys",
+	KEY_UP: "Arrow keys",
+	KEY_DOWN: "Arrow keys",
+	KEY_PAGEUP: "Page Up",
+	KEY_PAGEDOWN: "Page Down",
 	KEY_PLUS: "+",
 	KEY_MINUS: "−",
 }
@@ -47,7 +51,7 @@ static func keyboard(actions: Array[StringName]) -> String:
 		for event in InputMap.action_get_events(action):
 			if event is InputEventKey:
 				_add(names, _key_name(event as InputEventKey))
-	return "  ".join(names)
+	return BETWEEN.join(names)
 
 
 ## The gamepad's sticks and buttons of the actions, each named once, in order.
@@ -61,7 +65,7 @@ static func gamepad(actions: Array[StringName]) -> String:
 			elif event is InputEventJoypadMotion:
 				var axis := (event as InputEventJoypadMotion).axis
 				_add(names, _translated(AXES.get(axis, "") as String))
-	return "  ".join(names)
+	return BETWEEN.join(names)
 
 
 static func _add(names: PackedStringArray, name: String) -> void:

@@ -6,15 +6,15 @@ extends RefCounted
 ## World axes: x to right ascension 0h, y to the celestial north pole, z to -(6h).
 
 ## Distance of the eye, in Schwarzschild radii.
-const DISTANCE: float = 11.0
+const DISTANCE: float = 12.0
 ## Galactic centre and north pole (ICRS): right ascension and declination in degrees.
 const GALACTIC_CENTRE := Vector2(266.405, -28.936)
 const GALACTIC_POLE := Vector2(192.859, 27.128)
 ## How far the centre is moved out of the middle, in degrees: along the band and across it. On the
 ## axis it would be one even ring; beside it, its two images and the arcs can be told apart.
-const OFFSET := Vector2(9.0, 3.0)
+const OFFSET := Vector2(5.0, 2.0)
 ## Slant of the Milky Way in the picture, in degrees.
-const SLANT: float = 24.0
+const SLANT: float = -24.0
 
 
 ## Unit vector of a place on the sky, from right ascension (x) and declination (y) in degrees.
