@@ -77,16 +77,18 @@ func _load_hook(key: String) -> GutHookScript:
 	if script == null or not script.can_instantiate():
 		_results.complaints.append("the hook %s does not exist or does not compile" % path)
 		return null
-	var hook: GutHookScript = script.new() as GutHookScript
-	if hook == null:
+	var instance: Variant = script.new()
+	if instance is not GutHookScript:
 		_results.complaints.append("the hook %s does not extend GutHookScript" % path)
 		return null
+	var hook: GutHookScript = instance
 	hook.gut = self
 	return hook
 
 
 func _run_all() -> void:
 	if _pre_run != null:
+		@warning_ignore("redundant_await")
 		await _pre_run.run()
 		if _pre_run.should_abort():
 			_results.complaints.append("the pre-run hook called the run off")
@@ -116,6 +118,7 @@ func _finish() -> int:
 			_report.complain(problem)
 			code = 1
 	if _post_run != null and (_pre_run == null or not _pre_run.should_abort()):
+		@warning_ignore("redundant_await")
 		await _post_run.run()
 		if _post_run.get_exit_code() != null:
 			return _post_run.get_exit_code()
@@ -134,8 +137,8 @@ func _run_suite(suite: Collector.Suite) -> void:
 		add_child(test)
 		_complain_about_stray_errors("before %s" % suite.name)
 		await _run_around(test, &"before_all", script_result)
-		for name: String in suite.tests:
-			await _run_test(test, name, script_result)
+		for test_name: String in suite.tests:
+			await _run_test(test, test_name, script_result)
 		await _run_around(test, &"after_all", script_result)
 	_report.script_ended(script_result)
 	test.free()
@@ -156,20 +159,22 @@ func _run_around(test: GutTest, method: StringName, script_result: Results.Scrip
 		_report.test_ended(result)
 
 
-func _run_test(test: GutTest, name: String, script_result: Results.ScriptResult) -> void:
-	var result: Results.TestResult = Results.TestResult.new(name)
+func _run_test(test: GutTest, test_name: String, script_result: Results.ScriptResult) -> void:
+	var result: Results.TestResult = Results.TestResult.new(test_name)
 	script_result.tests.append(result)
-	_report.test_begins(name)
+	_report.test_begins(test_name)
 	var start: int = Time.get_ticks_usec()
 	test.begin_test(result)
-	var takes_parameter: bool = test.get_method_argument_count(name) > 0
+	var takes_parameter: bool = test.get_method_argument_count(test_name) > 0
 	while true:
 		test.begin_call()
+		@warning_ignore("redundant_await")
 		await test.before_each()
-		if takes_parameter and not test.has_default_parameter(name):
+		if takes_parameter and not test.has_default_parameter(test_name):
 			test.fail_test("its parameter has no default; it must be use_parameters(...)")
 		else:
-			await test.call(name)
+			await test.call(test_name)
+		@warning_ignore("redundant_await")
 		await test.after_each()
 		test.end_call()
 		_fail_on_errors(test)

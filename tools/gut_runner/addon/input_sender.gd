@@ -73,8 +73,8 @@ func send_event(event: Variant) -> Variant:
 
 ## Holds back what follows: seconds, or physics frames as in "3f".
 func wait(t: Variant) -> Variant:
-	if t is String and (t as String).ends_with("f"):
-		return wait_frames((t as String).to_int())
+	if t is String and str(t).ends_with("f"):
+		return wait_frames(str(t).to_int())
 	return wait_secs(float(t))
 
 
@@ -88,8 +88,8 @@ func wait_secs(num_secs: Variant) -> Variant:
 
 ## Sends the release of the event before it after seconds, or physics frames as in "3f".
 func hold_for(duration: Variant) -> Variant:
-	if duration is String and (duration as String).ends_with("f"):
-		return hold_frames((duration as String).to_int())
+	if duration is String and str(duration).ends_with("f"):
+		return hold_frames(str(duration).to_int())
 	return hold_seconds(float(duration))
 
 

@@ -17,9 +17,9 @@ var _result: Results.TestResult = null
 var _parameters: Array = []
 var _parameter_index: int = -1
 
-
 ## Override to skip the whole script: true, or the reason as a text. Without a type, as in GUT: an
 ## override must not name one either.
+@warning_ignore("untyped_declaration")
 func should_skip_script():
 	return false
 
@@ -115,7 +115,8 @@ func used_parameters() -> bool:
 func has_default_parameter(method: String) -> bool:
 	for info: Dictionary in get_method_list():
 		if info["name"] == method:
-			return not (info["default_args"] as Array).is_empty()
+			var defaults: Array = info["default_args"]
+			return not defaults.is_empty()
 	return false
 
 
@@ -145,7 +146,8 @@ func _check(holds: bool, message: String, values: Array, text: Variant) -> void:
 
 ## The line of the test script that is running, as " (at line N)"; empty where it is not known.
 func _where() -> String:
-	var path: String = (get_script() as Script).resource_path
+	var script: Script = get_script()
+	var path: String = script.resource_path
 	for backtrace: ScriptBacktrace in Engine.capture_script_backtraces():
 		for i: int in backtrace.get_frame_count():
 			var file: String = backtrace.get_frame_file(i)

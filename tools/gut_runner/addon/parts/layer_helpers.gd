@@ -2,8 +2,9 @@
 extends "layer_core.gd"
 ## Helpers of tests: freeing, simulating frames, versions.
 
-var _to_free: Array[Object] = []
-var _to_queue_free: Array[Node] = []
+## Instance ids.
+var _to_free: Array[int] = []
+var _to_queue_free: Array[int] = []
 var _orphans_before: Array[int] = []
 
 
@@ -24,14 +25,14 @@ func skip_if_godot_version_lt(expected: Variant) -> Variant:
 ## Frees the object after the test. Returns it, like the three below.
 func autofree(thing: Variant) -> Variant:
 	if thing is Object and thing is not RefCounted:
-		_to_free.append(thing)
+		_to_free.append(thing.get_instance_id())
 	return thing
 
 
 ## Calls queue_free() after the test.
 func autoqfree(thing: Variant) -> Variant:
 	if thing is Node:
-		_to_queue_free.append(thing)
+		_to_queue_free.append(thing.get_instance_id())
 	return thing
 
 
@@ -60,12 +61,13 @@ func begin_call() -> void:
 
 
 func end_call() -> void:
-	for thing: Variant in _to_free:
-		if is_instance_valid(thing):
-			(thing as Object).free()
-	for thing: Variant in _to_queue_free:
-		if is_instance_valid(thing):
-			(thing as Node).queue_free()
+	# By id: a test may have freed them itself.
+	for id: int in _to_free:
+		if is_instance_id_valid(id):
+			instance_from_id(id).free()
+	for id: int in _to_queue_free:
+		if is_instance_id_valid(id):
+			instance_from_id(id).call(&"queue_free")
 	_to_free.clear()
 	_to_queue_free.clear()
 

@@ -87,4 +87,4 @@ func _is_object(obj: Variant, text: Variant) -> bool:
 func _is_class(thing: Variant) -> bool:
 	if thing is not Object or not is_instance_valid(thing):
 		return false
-	return thing is Script or (thing as Object).get_class() == "GDScriptNativeClass"
+	return thing is Script or thing.get_class() == "GDScriptNativeClass"

@@ -40,7 +40,8 @@ func emitted_names(object: Object) -> PackedStringArray:
 	var names: PackedStringArray = []
 	var of_object: Dictionary = _emissions.get(object.get_instance_id(), {})
 	for signal_name: StringName in of_object:
-		if not (of_object[signal_name] as Array).is_empty():
+		var log_of_signal: Array = of_object[signal_name]
+		if not log_of_signal.is_empty():
 			names.append(signal_name)
 	return names
 
