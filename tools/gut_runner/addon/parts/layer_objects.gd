@@ -87,4 +87,6 @@ func _is_object(obj: Variant, text: Variant) -> bool:
 func _is_class(thing: Variant) -> bool:
 	if thing is not Object or not is_instance_valid(thing):
 		return false
-	return thing is Script or thing.get_class() == "GDScriptNativeClass"
+	# Typed, since a call on a Variant would look for a static method of the class.
+	var object: Object = thing
+	return thing is Script or object.get_class() == "GDScriptNativeClass"
