@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 class_name MilkyWay
 extends RefCounted
 ## The Milky Way panorama that comes with the addon, and its place on the radiometric scale.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 @tool
 extends EditorPlugin
 ## Editor side of the addon: re-bakes the lensing table from the Tools menu.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 extends SceneTree
 ## Command line: renders stills described in JSON.
 ##

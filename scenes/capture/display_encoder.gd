@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 class_name DisplayEncoder
 extends Node
 ## Turns a linear-light picture into what a screen shows: clipped to 0..1, exact sRGB curve, 8 bits

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 class_name ShotSpec
 extends RefCounted
 ## One still to be taken: what is where, who looks, how it is drawn.

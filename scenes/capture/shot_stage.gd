@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 class_name ShotStage
 extends Node
 ## Sets up a shot in a viewport of its own and takes the picture.

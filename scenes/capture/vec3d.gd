@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 class_name Vec3D
 extends RefCounted
 ## Three-vectors in double precision, for aiming cameras far from the hole: the engine's Vector3 has
