@@ -13,13 +13,15 @@ extends Node3D
 @onready var _pointer: IdlePointer = $IdlePointer
 @onready var _frame: Control = %Frame
 @onready var _notices: NoticeBoard = %Notices
+@onready var _guide: HorizonGuide = $HorizonGuide
 @onready var _help: HelpOverlay = %Help
 
 
 func _ready() -> void:
 	_data.warned.connect(_on_data_warned)
 	_data.settled.connect(_notices.take_down)
-	_switches.warned.connect(_on_switches_warned)
+	_switches.warned.connect(_on_advised)
+	_guide.advised.connect(_on_advised)
 	_help.visibility_changed.connect(_on_help_visibility_changed)
 	_help.fullscreen_asked.connect(toggle_fullscreen)
 	_help.quit_asked.connect(quit)
@@ -89,7 +91,7 @@ func _on_data_warned(topic: StringName, text: String) -> void:
 	_notices.post(topic, text, 0.0 if stays_up else 2.0 * NoticeBoard.SHOWN_SECONDS)
 
 
-func _on_switches_warned(topic: StringName, text: String) -> void:
+func _on_advised(topic: StringName, text: String) -> void:
 	_notices.post(topic, text)
 
 

@@ -107,3 +107,17 @@ func test_the_hole_goes_and_comes_gradually() -> void:
 	_switches.toggle_lensing()
 	await wait_seconds(1.2 * SkySwitches.LENSING_SECONDS)
 	assert_almost_eq(_sky.lensing, 0.0, 1e-6)
+
+
+func test_the_guide_speaks_once_for_each_way_in() -> void:
+	var guide := HorizonGuide.new()
+	autofree(guide)
+	watch_signals(guide)
+	guide.watch(1.5, ViewControls.Mode.ORBIT)
+	assert_signal_not_emitted(guide, "advised")
+	for distance: float in [0.5, 0.4, 0.3]:
+		guide.watch(distance, ViewControls.Mode.ORBIT)
+	assert_signal_emit_count(guide, "advised", 1)
+	guide.watch(2.0, ViewControls.Mode.ORBIT)
+	guide.watch(0.5, ViewControls.Mode.FLIGHT)
+	assert_signal_emit_count(guide, "advised", 1, "a free flyer can turn round")
