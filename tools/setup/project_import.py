@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -12,6 +13,10 @@ from setup.console import say
 from setup.godot import Godot
 from setup.locks import locked
 
+_LOADED_AS_IT_IS = frozenset((
+    ".tscn", ".tres", ".gdshader", ".gdshaderinc", ".gdextension", ".uid", ".json", ".md", ".txt", ".stars", ".lut",
+))
+_CLASS_LINE = re.compile(r"^(?:@tool|@abstract|@icon\(.*|class_name\b.*|extends\b.*)$", re.MULTILINE)
 _EXTENSION = "res://addons/blackhole_sky/blackhole_sky.gdextension"
 
 
@@ -41,16 +46,23 @@ def project_files(root: Path) -> Iterator[Path]:
 
 
 def _wanted(godot: Godot, root: Path) -> str:
-    states = []
-    for file in project_files(root):
-        try:
-            state = file.stat()
-        except FileNotFoundError:
-            continue
-        # The library is loaded, not imported: a new build is no reason to import again.
-        if file.suffix != ".so":
-            states.append(f"{file.relative_to(root)} {state.st_mtime_ns} {state.st_size}")
-    return stamps.digest(godot.version, *states)
+    return stamps.digest(godot.version, *filter(None, (_state(file, root) for file in project_files(root))))
+
+
+def _state(file: Path, root: Path) -> str:
+    """What the import takes from a file: of a script its class, of what is loaded as it is only that it is there."""
+    name = str(file.relative_to(root))
+    try:
+        if file.suffix == ".so":
+            return ""
+        if file.suffix in _LOADED_AS_IT_IS:
+            return name
+        if file.suffix == ".gd":
+            return name + " ".join(_CLASS_LINE.findall(file.read_text(encoding="utf-8")))
+        state = file.stat()
+        return f"{name} {state.st_mtime_ns} {state.st_size}"
+    except FileNotFoundError:
+        return ""
 
 
 def _announce_extension(root: Path) -> None:

@@ -53,6 +53,15 @@ class EnsureImported(unittest.TestCase):
         self._ensure()
         self.assertEqual(self._ensure(Godot(Path("/engine/godot"), "4.7.0", private=True)), 2)
 
+    def test_of_a_script_only_its_class_counts(self) -> None:
+        script = self.root / "art" / "a.gd"
+        script.write_text("class_name A\nextends Node\nvar x := 1\n", encoding="utf-8")
+        self._ensure()
+        script.write_text("class_name A\nextends Node\nvar x := 2000\n", encoding="utf-8")
+        self.assertEqual(self._ensure(), 1)
+        script.write_text("class_name B\nextends Node\nvar x := 2000\n", encoding="utf-8")
+        self.assertEqual(self._ensure(), 2)
+
     def test_not_for_a_library_or_a_hidden_folder(self) -> None:
         self._ensure()
         (self.root / "art" / "lib.so").touch()
