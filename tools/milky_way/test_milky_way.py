@@ -84,7 +84,7 @@ class Panorama(unittest.TestCase):
         self.assertGreater(len(numpy.unique(dark)), 10000)
 
     def test_no_blocks(self) -> None:
-        """Steps across the borders of the source's 8 x 8 compression blocks: there they exceed the next ones by 15-28 %."""
+        """Steps across the borders of the source's 8 x 8 blocks, which there exceed the next ones by 15 to 28 %."""
         dim = self.picture[:, 1200:1904]
         for axis in (0, 1):
             steps = numpy.abs(numpy.diff(dim, axis=axis)).mean(axis=(1 - axis, 2))
