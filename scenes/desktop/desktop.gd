@@ -3,7 +3,6 @@ class_name DesktopScene
 extends Node3D
 ## A black hole and the sky behind it, for a screen: joins data, controls, switches and display.
 
-@onready var _sky: BlackHoleSky = $Sky
 @onready var _data: SkyData = $Data
 @onready var _switches: SkySwitches = $Switches
 @onready var _controls: ViewControls = $Controls

@@ -65,10 +65,12 @@ func test_the_display_knows_the_inside_and_a_sky_without_hole() -> void:
 func test_keys_and_buttons_switch_the_sky(p: Variant = use_parameters(_switching)) -> void:
 	var property: String = p.property
 	var before: Variant = _sky.get(property)
-	_press_key(p.key as Key)
+	var key: Key = p.key
+	var button: JoyButton = p.button
+	_press_key(key)
 	var after_key: Variant = _sky.get(property)
 	assert_ne(after_key, before, "key %s switches %s" % [p.key, property])
-	_press_button(p.button as JoyButton)
+	_press_button(button)
 	assert_ne(_sky.get(property), after_key, "button %s switches %s" % [p.button, property])
 
 

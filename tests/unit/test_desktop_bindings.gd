@@ -11,7 +11,8 @@ func _explained() -> Array[StringName]:
 	var actions: Array[StringName] = []
 	for row in HelpOverlay.ROWS:
 		if not row.is_empty():
-			actions.append_array(row[1] as Array)
+			var listed: Array = row[1]
+			actions.append_array(listed)
 	return actions
 
 

@@ -14,17 +14,17 @@ func before_all() -> void:
 
 
 func _texts(folder: String, found: PackedStringArray) -> PackedStringArray:
-	for name in DirAccess.get_directories_at(folder):
-		_texts(folder + name + "/", found)
-	for name in DirAccess.get_files_at(folder):
+	for entry in DirAccess.get_directories_at(folder):
+		_texts(folder + entry + "/", found)
+	for entry in DirAccess.get_files_at(folder):
 		var pattern := ""
-		if name.ends_with(".gd"):
+		if entry.ends_with(".gd"):
 			pattern = TEXT_IN_SCRIPT
-		elif name.ends_with(".tscn"):
+		elif entry.ends_with(".tscn"):
 			pattern = TEXT_IN_SCENE
 		else:
 			continue
-		var source := FileAccess.get_file_as_string(folder + name)
+		var source := FileAccess.get_file_as_string(folder + entry)
 		for hit in RegEx.create_from_string(pattern).search_all(source):
 			found.append(hit.get_string(1))
 	return found
@@ -35,7 +35,8 @@ func test_every_text_is_translated() -> void:
 	assert_gt(texts.size(), 20)
 	for row in HelpOverlay.ROWS:
 		if not row.is_empty():
-			texts.append(row[0] as String)
+			var what: String = row[0]
+			texts.append(what)
 	for text in texts:
 		assert_ne(_german.get_message(text), &"", text)
 

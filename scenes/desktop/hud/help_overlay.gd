@@ -86,12 +86,14 @@ func _fill() -> void:
 			_add_row(grid, "", "Keyboard", "Gamepad", &"Caption")
 			continue
 		var actions: Array[StringName] = []
-		actions.assign(row[1] as Array)
+		var listed: Array = row[1]
+		actions.assign(listed)
 		var keys := BindingNames.keyboard(actions)
 		var mouse: String = row[2]
 		if not mouse.is_empty():
 			keys = tr(mouse) + BindingNames.BETWEEN + keys
-		_add_row(grid, row[0] as String, keys, BindingNames.gamepad(actions))
+		var what: String = row[0]
+		_add_row(grid, what, keys, BindingNames.gamepad(actions))
 
 
 func _add_row(

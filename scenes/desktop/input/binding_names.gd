@@ -61,10 +61,12 @@ static func gamepad(actions: Array[StringName]) -> String:
 		for event in InputMap.action_get_events(action):
 			if event is InputEventJoypadButton:
 				var button := (event as InputEventJoypadButton).button_index
-				_add(names, _translated(BUTTONS.get(button, "") as String))
+				if BUTTONS.has(button):
+					_add(names, _translated(BUTTONS[button]))
 			elif event is InputEventJoypadMotion:
 				var axis := (event as InputEventJoypadMotion).axis
-				_add(names, _translated(AXES.get(axis, "") as String))
+				if AXES.has(axis):
+					_add(names, _translated(AXES[axis]))
 	return BETWEEN.join(names)
 
 
