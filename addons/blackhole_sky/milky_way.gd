@@ -5,4 +5,4 @@ extends RefCounted
 
 const FILE: String = "res://addons/blackhole_sky/data/milky_way.exr"
 ## Luminance at exposure 0 of a texel of value 1 (see tools/milky_way/README.md).
-const LUMINANCE: float = 0.1
+const LUMINANCE: float = 0.147

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <numbers>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -43,6 +46,15 @@ TEST(Radiometry, StarsAndSurfacesAgree) {
 	const double by_stars = stars * star_luminance_sum(10.0, pixel) * pixel / solid_angle;
 	const double magnitude = 10.0 - 2.5 * std::log10(stars / (solid_angle / kSquareArcsecond));
 	EXPECT_NEAR(by_stars / surface_luminance(magnitude), 1.0, 1e-12);
+}
+
+TEST(Radiometry, TheAddonShowsTheMilkyWayOnThisScale) {
+	std::ifstream script(BLACKHOLE_PROJECT_ROOT "/addons/blackhole_sky/milky_way.gd");
+	const std::string text{std::istreambuf_iterator<char>(script), {}};
+	const std::string declaration = "const LUMINANCE: float = ";
+	const std::size_t place = text.find(declaration);
+	ASSERT_NE(place, std::string::npos);
+	EXPECT_EQ(std::stod(text.substr(place + declaration.size())), kMilkyWayScale);
 }
 
 TEST(Radiometry, AngularRadii) {
