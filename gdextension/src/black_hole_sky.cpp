@@ -283,7 +283,10 @@ double BlackHoleSky::distance_to(const Vector3 &world_position) const {
 }
 
 double BlackHoleSky::shadow_angle_at(const Vector3 &world_position) const {
-	const double r = distance_to(world_position);
+	if (!is_lensing()) {
+		return 0.0;
+	}
+	const double r = distance_to(world_position) / lensing;
 	const bool refused = observer_motion == LensingTable::MOTION_STATIC && r <= 1.0;
 	return LensingTable::shadow_angle(r, refused ? LensingTable::MOTION_RAIN : observer_motion);
 }
