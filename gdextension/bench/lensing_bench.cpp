@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How fast the exact solution and the tables are, on one core. items_per_second of exact_phi is the number of
-// exact orbital angles a second; real_time of bake_tables is the time of both tables.
+// exact orbital angles a second; cpu_time of bake_tables is the time of both tables.
 #include "core/relativity/baseline.h"
 #include "core/relativity/image_direction.h"
 #include "core/relativity/orbital_angle.h"

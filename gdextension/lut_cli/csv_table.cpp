@@ -88,17 +88,19 @@ Outcome<std::vector<double>> CsvTable::column(const std::string &header, bool fi
 	const auto index = static_cast<std::size_t>(found - headers.begin());
 	std::vector<double> numbers;
 	numbers.reserve(rows.size());
+	const auto failure = [this](const Row &row, const std::string &reason) {
+		return Result::failure(table_name + " line " + std::to_string(row.line) + ": " + reason);
+	};
 	for (const Row &row : rows) {
-		const std::string where = table_name + " line " + std::to_string(row.line) + ": ";
 		if (index >= row.cells.size()) {
-			return Result::failure(where + "no cell for column " + header);
+			return failure(row, "no cell for column " + header);
 		}
 		double number = 0.0;
 		if (!parse_number(row.cells[index], number)) {
-			return Result::failure(where + header + " is no number: '" + row.cells[index] + "'");
+			return failure(row, header + " is no number: '" + row.cells[index] + "'");
 		}
 		if (finite && !std::isfinite(number)) {
-			return Result::failure(where + header + " must be finite, not " + row.cells[index]);
+			return failure(row, header + " must be finite, not " + row.cells[index]);
 		}
 		numbers.push_back(number);
 	}

@@ -33,7 +33,7 @@ Outcome<std::string> read_file(const std::string &path, std::size_t limit) {
 }
 
 std::string write_file(const std::string &path, std::string_view content) {
-	const std::string failure = path + ": cannot be written; check that its folder exists and is writable";
+	std::string failure = path + ": cannot be written; check that its folder exists and is writable";
 	std::error_code code;
 	if (std::filesystem::exists(path, code) && !std::filesystem::is_regular_file(path, code)) {
 		std::ofstream device(path, std::ios::binary); // such as /dev/stdout

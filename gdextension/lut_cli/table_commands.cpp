@@ -89,7 +89,7 @@ std::string run_bake(const std::string &out_path, const std::string &check_path)
 	ProgressBar bar;
 	const LensingTables tables = bake_lensing_tables([&bar](double done) { return bar.show(done); });
 	if (!out_path.empty()) {
-		const std::string error = write_file(out_path, as_text(tables));
+		std::string error = write_file(out_path, as_text(tables));
 		if (!error.empty()) {
 			return error;
 		}

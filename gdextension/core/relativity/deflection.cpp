@@ -21,7 +21,7 @@ double deflection_series(double b) {
 	double odd = 2.0 * q;
 	double even = 15.0 * pi / 16.0 * q * q;
 	double sum = 0.0;
-	for (double n = 1.0; n < 200.0; n += 2.0) {
+	for (int n = 1; n < 200; n += 2) {
 		const double before = sum;
 		sum += odd + even;
 		if (sum == before) {
@@ -33,7 +33,7 @@ double deflection_series(double b) {
 			return x * (x + 1.0) * (x + 2.0) / ((0.5 * m + 1.0) * (m + 1.0) * (m + 2.0)) * q * q;
 		};
 		odd *= ratio(n);
-		even *= ratio(n + 1.0);
+		even *= ratio(n + 1);
 	}
 	return sum;
 }

@@ -10,6 +10,7 @@ namespace blackhole {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr const char *kNoPlace = "the observer's position must be finite and away from the centre";
 
 /// A direction against a motion, in forms that keep their digits at high speed.
 struct Split {
@@ -71,6 +72,18 @@ Outcome<glm::dvec3> observer_celerity(ObserverMotion motion, glm::dvec3 position
 	}
 	// gamma beta = sqrt(u)/sqrt(1 - u) outward, u = 1/r
 	return Outcome<glm::dvec3>::success(position_rs * (1.0 / (r * std::sqrt(r - 1.0))));
+}
+
+Outcome<glm::dvec3> radial_celerity(glm::dvec3 position_rs, double kappa) {
+	const double r = glm::length(position_rs);
+	if (!(r > 0.0 && std::isfinite(r))) {
+		return Outcome<glm::dvec3>::failure(kNoPlace);
+	}
+	if (!(kappa > 0.0 && std::isfinite(kappa))) {
+		return Outcome<glm::dvec3>::failure("no observer moves radially in this way here");
+	}
+	const double ratio = radial_kappa(1.0 / r, ObserverMotion::kRain) / kappa;
+	return Outcome<glm::dvec3>::success(position_rs * (0.5 * (ratio - 1.0 / ratio) / r));
 }
 
 Outcome<glm::dvec3> orbit_celerity(glm::dvec3 position_rs, glm::dvec3 axis) {

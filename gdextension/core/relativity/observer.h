@@ -27,6 +27,10 @@ double infall_kappa(double u, double energy);
 /// kappa of the outward motion with the same energy, eps - sqrt(eps^2 - 1 + u); NaN for u >= 1.
 double outgoing_kappa(double u, double energy);
 
+/// Celerity gamma beta, relative to the rain frame, of the radial motion with this kappa at position_rs: such
+/// a boost multiplies tan(xi/2) by kappa_rain/kappa. For motions other than those of ObserverMotion.
+Outcome<glm::dvec3> radial_celerity(glm::dvec3 position_rs, double kappa);
+
 /// Celerity gamma beta of an observer at position_rs (from the hole, in r_s), relative to the rain frame
 /// there, in world axes. Fails for a static observer at or inside the horizon and for a position that is no
 /// place.

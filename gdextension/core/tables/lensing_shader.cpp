@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Compiled with single-precision literals (see sources.cmake), because shading languages have no others.
 #include "core/tables/lensing_shader.h"
 
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+
+#include <cstddef>
 
 namespace lensing_shader {
 
@@ -16,17 +17,18 @@ using sampler2D = Texture; // NOLINT(readability-identifier-naming)
 namespace {
 
 vec4 texelFetch(const Texture &table, ivec2 at, int /*level*/) { // NOLINT(readability-identifier-naming)
-	const float *texel = table.texels->data() + 4 * (at.y * table.columns + at.x);
+	const float *texel =
+			table.texels->data() + 4 * (static_cast<std::ptrdiff_t>(at.y) * table.columns + at.x);
 	return {texel[0], texel[1], texel[2], texel[3]};
 }
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"
-#include "../addons/blackhole_sky/shaders/lensing.gdshaderinc"
+#include "lensing_shader_source.inc" // lensing.gdshaderinc, see sources.cmake
 #pragma GCC diagnostic pop
 
 LensEye eye_at(float u) {
-	return lens_eye(vec3(0.0, 0.0, 1.0 / u), LENS_MOTION_RAIN);
+	return lens_eye(vec3(0.0F, 0.0F, 1.0F / u), LENS_MOTION_RAIN);
 }
 
 int motion_code(bool at_rest) {
@@ -42,11 +44,11 @@ float shadow_sigma(float u) {
 Ray ray_of_angle(const Texture &inverse, float u, float t, float t_slope) {
 	const LensEye eye = eye_at(u);
 	// The lines of lens_star_image() between its t and its sigma.
-	const float q = sqrt(t * t + 2.0 * eye.w);
-	const float q_table = sqrt(t * t + 2.0 * eye.w_table);
-	const float s0 = t > 0.0 ? 0.5 * (t + q) : eye.w / (q - t);
-	const float s_table = t > 0.0 ? 0.5 * (t + q_table) : eye.w_table / (q_table - t);
-	const float big_x = clamp(log(s_table * inversesqrt(0.5 * eye.w_table)), -LENS_X_LIMIT, LENS_X_LIMIT);
+	const float q = sqrt(t * t + 2.0F * eye.w);
+	const float q_table = sqrt(t * t + 2.0F * eye.w_table);
+	const float s0 = t > 0.0F ? 0.5F * (t + q) : eye.w / (q - t);
+	const float s_table = t > 0.0F ? 0.5F * (t + q_table) : eye.w_table / (q_table - t);
+	const float big_x = clamp(log(s_table * inversesqrt(0.5F * eye.w_table)), -LENS_X_LIMIT, LENS_X_LIMIT);
 	const vec2 column = lens_column(big_x);
 	const LensSample ratio = lens_sample(inverse, eye, column.x);
 	const float clearance = s0 * ratio.value;
@@ -59,7 +61,7 @@ vec2 angle_of_ray(const Texture &forward, float u, float y) {
 }
 
 float rain_redshift(float u, float cosine) {
-	return lens_rain_redshift(eye_at(u), vec3(0.0, 0.0, cosine));
+	return lens_rain_redshift(eye_at(u), vec3(0.0F, 0.0F, cosine));
 }
 
 Image star_image(
@@ -75,7 +77,7 @@ Sky trace(const Texture &forward, vec3 place, vec3 view_direction, bool at_rest)
 	const LensEye eye = lens_eye(place, motion_code(at_rest));
 	const vec3 direction = lens_boost(view_direction, -eye.celerity);
 	const LensRay ray = lens_trace(forward, eye, direction);
-	return {ray.clearance <= 0.0, ray.sky, ray.slope, ray.redshift * lens_doppler(direction, eye.celerity)};
+	return {ray.clearance <= 0.0F, ray.sky, ray.slope, ray.redshift * lens_doppler(direction, eye.celerity)};
 }
 
 } // namespace lensing_shader

@@ -8,9 +8,7 @@
 #include <vector>
 
 /// addons/blackhole_sky/shaders/lensing.gdshaderinc compiled as C++, behind plain functions. A namespace of
-/// its own, because shading languages have one flat name space. The source file behind this header is
-/// compiled with single-precision literals: neither may include headers with inline double-precision
-/// functions.
+/// its own, because shading languages have one flat name space.
 namespace lensing_shader {
 
 /// A texture of RGBA texels as the shader sees it.

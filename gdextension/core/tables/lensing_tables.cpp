@@ -60,8 +60,9 @@ Node forward_node(const RowPlace &row, double big_x) {
 }
 
 /// Derivative by the column index, of sixth order where both sides have three neighbours.
-double column_slope(const std::array<double, kTableColumns> &values, int index) {
-	const auto at = [&values, index](int offset) { return values[static_cast<std::size_t>(index + offset)]; };
+double column_slope(const std::array<double, kTableColumns> &values, std::size_t index) {
+	const auto at = [place = values.begin() + static_cast<std::ptrdiff_t>(index)](
+							int offset) { return place[offset]; };
 	if (index == 0 || index == kTableColumns - 1) {
 		return 0.0;
 	}
@@ -76,15 +77,15 @@ template <class NodeFunction>
 void bake_row(NodeFunction node_at, const RowPlace &row, double v_step, float *texels) {
 	const double x_step = 1.0 / (kTableColumns - 1.0);
 	std::array<double, kTableColumns> v_slopes{};
-	for (int column = 0; column < kTableColumns; ++column) {
-		const ColumnPlace place = column_place(column, kTableColumns);
+	for (std::size_t column = 0; column < kTableColumns; ++column) {
+		const ColumnPlace place = column_place(static_cast<int>(column), kTableColumns);
 		const Node node = node_at(row, place.big_x);
-		v_slopes[static_cast<std::size_t>(column)] = node.value * node.log_slope_v * v_step;
+		v_slopes[column] = node.value * node.log_slope_v * v_step;
 		texels[4 * column] = static_cast<float>(node.value);
 		texels[4 * column + 1] = static_cast<float>(node.value * node.log_slope_x * place.slope * x_step);
+		texels[4 * column + 2] = static_cast<float>(v_slopes[column]);
 	}
-	for (int column = 0; column < kTableColumns; ++column) {
-		texels[4 * column + 2] = static_cast<float>(v_slopes[static_cast<std::size_t>(column)]);
+	for (std::size_t column = 0; column < kTableColumns; ++column) {
 		texels[4 * column + 3] = static_cast<float>(column_slope(v_slopes, column));
 	}
 }

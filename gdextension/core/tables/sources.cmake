@@ -6,15 +6,16 @@ target_sources(blackhole_core PRIVATE
 	${CMAKE_CURRENT_LIST_DIR}/table_file.cpp
 )
 
-# The shader source that lensing_shader.cpp includes knows float literals only.
+# lensing_shader.cpp includes the shader's source with its literals marked as single precision.
 set(_lensing_shader "${PROJECT_SOURCE_DIR}/../addons/blackhole_sky/shaders/lensing.gdshaderinc")
-if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
-	set(_single_precision "SHELL:-Xclang -cl-single-precision-constant")
-else()
-	set(_single_precision "-fsingle-precision-constant")
-endif()
-set_source_files_properties(${CMAKE_CURRENT_LIST_DIR}/lensing_shader.cpp PROPERTIES
-	COMPILE_OPTIONS "${_single_precision}" OBJECT_DEPENDS "${_lensing_shader}")
+set(_lensing_include "${CMAKE_CURRENT_BINARY_DIR}/shader_source/lensing_shader_source.inc")
+set(_shader_to_cpp "${CMAKE_CURRENT_LIST_DIR}/shader_to_cpp.cmake")
+add_custom_command(OUTPUT "${_lensing_include}"
+	COMMAND ${CMAKE_COMMAND} -DINPUT=${_lensing_shader} -DOUTPUT=${_lensing_include} -P "${_shader_to_cpp}"
+	DEPENDS "${_lensing_shader}" "${_shader_to_cpp}" VERBATIM)
+target_sources(blackhole_core PRIVATE "${_lensing_include}")
+target_include_directories(blackhole_core PRIVATE "${CMAKE_CURRENT_BINARY_DIR}/shader_source")
+set_source_files_properties(${CMAKE_CURRENT_LIST_DIR}/lensing_shader.cpp PROPERTIES OBJECT_DEPENDS "${_lensing_include}")
 
 # The addon reads the committed table from its own folder.
 set(_addon_table "${PROJECT_SOURCE_DIR}/../addons/blackhole_sky/data/schwarzschild.lut")

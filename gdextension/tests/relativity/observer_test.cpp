@@ -106,6 +106,28 @@ TEST(Kappa, CoversEveryRadialMotion) {
 	EXPECT_TRUE(std::isnan(infall_kappa(0.01, 0.5))); // bound below this height
 }
 
+TEST(RadialCelerity, IsTheBoostToThatKappa) {
+	const glm::dvec3 place(0.0, 4.0, 0.0);
+	const auto rest = radial_celerity(place, radial_kappa(0.25, ObserverMotion::kStatic));
+	EXPECT_LT(glm::length(*rest.value - *observer_celerity(ObserverMotion::kStatic, place).value), 1e-15);
+	// A probe shot inward with twice its rest energy, deep inside: same ray, same g by boost and by kappa.
+	const glm::dvec3 inside(0.0, 0.25, 0.0);
+	const double u = 4.0;
+	const double kappa = infall_kappa(u, 2.0);
+	const auto celerity = radial_celerity(inside, kappa);
+	ASSERT_TRUE(celerity);
+	EXPECT_LT(celerity.value->y, 0.0);
+	const double y = 0.7;
+	const double xi = view_angle(u, y, radial_kappa(u, ObserverMotion::kRain));
+	const glm::dvec3 rain(std::sin(xi), -std::cos(xi), 0.0);
+	const glm::dvec3 probe = boost_direction(rain, *celerity.value);
+	EXPECT_NEAR(std::atan2(probe.x, -probe.y), view_angle(u, y, kappa), 1e-14);
+	const double g = radial_redshift(u, y, radial_kappa(u, ObserverMotion::kRain));
+	EXPECT_LT(relative_error(g * doppler_factor(rain, *celerity.value), radial_redshift(u, y, kappa)), 1e-14);
+	EXPECT_FALSE(radial_celerity(place, std::numeric_limits<double>::quiet_NaN()));
+	EXPECT_FALSE(radial_celerity(glm::dvec3(0.0), 1.0));
+}
+
 TEST(Redshift, OfOneRayForThreeObservers) {
 	const ReferenceData data("gshift");
 	const auto u = data.column("u_o");
