@@ -14,7 +14,8 @@ var _warm: bool = false
 
 func _init() -> void:
 	viewport.own_world_3d = true
-	viewport.use_hdr_2d = true
+	# Compatibility stores display values whatever the buffer; 8 bits are what it shows.
+	viewport.use_hdr_2d = is_linear()
 	viewport.msaa_3d = Viewport.MSAA_DISABLED
 	viewport.size = Vector2i(1280, 720)
 	viewport.render_target_update_mode = SubViewport.UPDATE_DISABLED

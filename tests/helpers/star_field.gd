@@ -6,7 +6,7 @@ extends RefCounted
 ## the wanted light, whatever the hole does to it.
 
 ## White on the screen, so that no channel of an image clips before the others.
-const SEEN_KELVIN: float = 6500.0
+const WHITE_KELVIN: float = 6500.0
 ## Cooler stars give so little light unshifted that their magnitudes would leave every range.
 const COOLEST_KELVIN: float = 2500.0
 const ORDERS: int = 4
@@ -15,6 +15,8 @@ const ROUNDING: float = 1.2e-7
 ## Images on which that rounding shows by more pixels are not chosen: stars all but behind the hole.
 const MOST_ROUNDING_PX: float = 0.01
 
+## Temperature at which images are seen, unless the star would be cooler than COOLEST_KELVIN.
+var seen_kelvin: float = WHITE_KELVIN
 var directions: PackedVector3Array = []
 var magnitudes: PackedFloat32Array = []
 var temperatures: PackedFloat32Array = []
@@ -36,6 +38,16 @@ class Target:
 	var sum: float
 
 
+## Stars anywhere, of which some stand alone in a picture (see `alone`).
+static func random(rng: RandomNumberGenerator, count: int) -> StarField:
+	var field := StarField.new(null, rng)
+	for i in count:
+		field.directions.append(field._somewhere())
+		field.magnitudes.append(2.5 + 2.0 * rng.randf())
+		field.temperatures.append(WHITE_KELVIN)
+	return field
+
+
 ## `light`: summed luminance that the images get; `apart`: pixels between images.
 func _init(
 	view: ExactView, rng: RandomNumberGenerator, light: float = 2.0, apart: float = 14.0
@@ -55,6 +67,42 @@ func add(order: int, count: int, tries: int = 400) -> void:
 		var star := _somewhere() if attempt % 2 == 0 and order > 0 else _in_view()
 		if star != Vector3.ZERO and _add_star(star, order):
 			found += 1
+
+
+## Adds a star whose image of order 0 or 1 is seen at a place of the picture; false if it would
+## disturb others, or nothing can be seen there.
+func add_at(pixel: Vector2) -> bool:
+	var direction := Vec3D.to_vector3(_view.to_direction(pixel))
+	var ray: Dictionary = LensingTable.trace(_view.place, direction, _view.motion)
+	if ray["captured"]:
+		return false
+	var star: Vector3 = ray["sky_direction"]
+	for order in 2:
+		if _view.star_spot(star, order).pixel.distance_to(pixel) < 0.05:
+			return _add_star(star, order)
+	return false
+
+
+## Those images of these stars that stand alone in a picture and are bright enough, but not too
+## bright, to be measured.
+func alone(view: ExactView) -> Array[Target]:
+	var spots: Array[Target] = []
+	for i in directions.size():
+		var flux := pow(10.0, -0.4 * magnitudes[i])
+		for n in ORDERS:
+			var spot := view.star_spot(directions[i], n)
+			if spot.pixel != ExactView.NOWHERE:
+				var image := Target.new()
+				image.order = n
+				image.pixel = spot.pixel
+				image.sum = flux * view.luminance_sum(spot, temperatures[i])
+				spots.append(image)
+	var chosen: Array[Target] = []
+	for spot in spots:
+		if spot.sum > 0.3 and spot.sum < 3.0 and view.holds(spot.pixel, 20.0):
+			if _stands_alone(spot, spots):
+				chosen.append(spot)
+	return chosen
 
 
 ## The catalogue of the stars chosen.
@@ -87,7 +135,7 @@ func _add_star(star: Vector3, order: int) -> bool:
 		return false
 	if ROUNDING * _view.focal() * wanted.stretch > MOST_ROUNDING_PX:
 		return false
-	var kelvin := maxf(SEEN_KELVIN / wanted.redshift, COOLEST_KELVIN)
+	var kelvin := maxf(seen_kelvin / wanted.redshift, COOLEST_KELVIN)
 	var flux := _light / _view.luminance_sum(wanted, kelvin)
 	var spots: PackedVector2Array = []
 	var sums: PackedFloat64Array = []
@@ -116,6 +164,14 @@ func _add_star(star: Vector3, order: int) -> bool:
 	chosen.pixel = wanted.pixel
 	chosen.sum = _light
 	targets.append(chosen)
+	return true
+
+
+func _stands_alone(image: Target, spots: Array[Target]) -> bool:
+	for other in spots:
+		if other != image and other.sum > 5e-4 * image.sum:
+			if other.pixel.distance_to(image.pixel) < _apart:
+				return false
 	return true
 
 
