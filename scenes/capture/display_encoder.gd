@@ -2,16 +2,28 @@
 class_name DisplayEncoder
 extends Node
 ## Turns a linear-light picture into what a screen shows: clipped to 0..1, exact sRGB curve, 8 bits
-## a channel.
+## a channel, dithered by half a step.
 
 const SHADER: String = """
 shader_type canvas_item;
 render_mode unshaded, blend_disabled;
+
+// Uniform noise of half a step of 8 bits, the same in every picture: dark gradients then show no
+// contours. Black stays black.
+float dither(uvec2 pixel) {
+	uint hash = pixel.x * 1664525u + pixel.y * 22695477u + 1013904223u;
+	hash = (hash ^ (hash >> 16u)) * 2246822519u;
+	hash = (hash ^ (hash >> 13u)) * 3266489917u;
+	hash ^= hash >> 16u;
+	return (float(hash >> 8u) / 16777216.0 - 0.5) * (0.999 / 255.0);
+}
+
 void fragment() {
 	vec3 c = clamp(texelFetch(TEXTURE, ivec2(FRAGCOORD.xy), 0).rgb, vec3(0.0), vec3(1.0));
 	vec3 low = c * 12.92;
 	vec3 high = 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055;
-	COLOR = vec4(mix(high, low, lessThanEqual(c, vec3(0.0031308))), 1.0);
+	vec3 shown = mix(high, low, lessThanEqual(c, vec3(0.0031308)));
+	COLOR = vec4(shown + dither(uvec2(FRAGCOORD.xy)), 1.0);
 }
 """
 
