@@ -8,6 +8,8 @@ const CATALOGUE_FILE: String = "res://addons/blackhole_sky/data/hipparcos.stars"
 
 ## Farther than this from the hole the world is made smaller, to stay within what culling takes.
 const LARGEST_DISTANCE: float = 1000.0
+## The engine's perspective cameras go no narrower; a frustum given by its size does.
+const NARROWEST_PERSPECTIVE_DEG: float = 1.0
 ## Frames drawn before the picture is taken: the engine compiles its pipelines in the first.
 const WARM_UP_FRAMES: int = 3
 
@@ -103,7 +105,11 @@ func _set_background(spec: ShotSpec, refusal: PackedStringArray) -> bool:
 func _aim(spec: ShotSpec) -> void:
 	var radius := minf(1.0, LARGEST_DISTANCE / Vec3D.length(spec.position))
 	_sky.schwarzschild_radius = radius
-	_camera.fov = spec.vertical_fov_deg
+	if spec.vertical_fov_deg >= NARROWEST_PERSPECTIVE_DEG:
+		_camera.set_perspective(spec.vertical_fov_deg, _camera.near, _camera.far)
+	else:
+		var height := 2.0 * tan(deg_to_rad(0.5 * spec.vertical_fov_deg))
+		_camera.set_frustum(height, Vector2.ZERO, 1.0, _camera.far)
 	var right := Vec3D.cross(spec.forward, spec.up)
 	_camera.transform = Transform3D(
 		Vec3D.to_vector3(right),
