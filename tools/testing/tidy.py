@@ -32,7 +32,7 @@ def cases(build_folder: Path) -> list[Case]:
         key = fingerprint(version, rules, str(entry["command"]), inputs, build_folder)
         if (known / key).exists():
             return ""
-        wrong = complaint(["clang-tidy", "-p", build_folder, "--quiet", *_in_clang(str(entry["command"])), path])
+        wrong = complaint(["clang-tidy", "-p", build_folder, "--quiet", path])
         if not wrong:
             (known / key).touch()
         return wrong
@@ -53,14 +53,6 @@ def fingerprint(version: str, rules: str, command: str, inputs: list[Path], buil
             content.update(b"gone")
     placeless = command.replace(str(build_folder), "BUILD").replace(str(paths.ROOT), "ROOT")
     return stamps.digest(version, rules, placeless, content.hexdigest())
-
-
-def _in_clang(command: str) -> list[str]:
-    """Options that say in Clang's words what the compile command says in GCC's."""
-    if "-fsingle-precision-constant" not in command:
-        return []
-    options = ("-Wno-ignored-optimization-argument", "-Xclang", "-cl-single-precision-constant")
-    return [f"--extra-arg={option}" for option in options]
 
 
 def _entries(build_folder: Path) -> dict[Path, dict[str, object]]:
