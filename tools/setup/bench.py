@@ -4,9 +4,10 @@
 from __future__ import annotations
 
 import argparse
+import json
 from pathlib import Path
 
-from setup import paths, prepare, session
+from setup import bench_parts, paths, prepare, session
 from setup.console import Failure, say
 
 SCRIPT = "res://scenes/bench/bench.gd"
@@ -26,8 +27,35 @@ def run(arguments: list[str]) -> int:
     chosen = parser.parse_args(arguments)
     out = Path(chosen.out).absolute()
     out.parent.mkdir(parents=True, exist_ok=True)
-    godot = prepare.project()
-    say(f"Measuring ({chosen.renderer}); this takes a few minutes")
-    printed = session.run_script(godot, SCRIPT, chosen.renderer, [str(out)])
-    print(printed, end="")
+    out.unlink(missing_ok=True)
+    godot = prepare.project(bench_parts.PACKAGES)
+    say("Measuring the physics on one core")
+    figures: dict[str, object] = {**bench_parts.core_figures()}
+    say(f"Measuring the first frame ({chosen.renderer})")
+    figures |= bench_parts.first_frame_figures(godot, chosen.renderer)
+    say(f"Measuring the pictures ({chosen.renderer}); this takes some minutes without a graphics card")
+    session.run_script(godot, SCRIPT, chosen.renderer, [str(out)])
+    figures |= json.loads(out.read_text(encoding="utf-8"))
+    out.write_text(json.dumps(figures, indent=2) + "\n", encoding="utf-8")
+    print("\n".join(table(figures)))
+    print(out)
     return 0
+
+
+def table(figures: dict[str, object], prefix: str = "") -> list[str]:
+    """The figures as lines of two columns; those that belong together under their common name."""
+    lines: list[str] = []
+    for key, value in figures.items():
+        if isinstance(value, dict):
+            lines += table(value, f"{prefix}{key}.")
+        elif isinstance(value, list):
+            lines.append(f"{prefix + key:<40}{' x '.join(_text(part) for part in value)}")
+        else:
+            lines.append(f"{prefix + key:<40}{_text(value)}")
+    return lines
+
+
+def _text(value: object) -> str:
+    if isinstance(value, float):
+        return f"{value:,.4g}" if abs(value) < 1e4 else f"{value:,.0f}"
+    return str(value)

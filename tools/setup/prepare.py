@@ -27,9 +27,9 @@ def table_tool() -> Path:
     return build.build("release", engine(), "blackhole-lut") / "lut_cli" / "blackhole-lut"
 
 
-def project() -> Godot:
+def project(extra_packages: list[str] | None = None) -> Godot:
     """engine(), the built extension and the imported project: ready to start."""
-    found = engine()
+    found = engine(extra_packages)
     build.build("release", found)
     project_import.ensure_imported(found)
     return found

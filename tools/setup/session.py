@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import os
+import re
 import subprocess
 import tempfile
 from pathlib import Path
@@ -15,7 +16,9 @@ from setup.godot import Godot
 RENDERERS = ("mobile", "forward_plus", "gl_compatibility")
 _TIMEOUT_S = 3600.0
 # A script's reasons are the lines that start like this; everything else the engine prints is noise.
-_REASON = ("capture:", "bench:", "SCRIPT ERROR:")
+_REASON = ("capture:", "bench:", "SCRIPT ERROR:", "SHADER ERROR:")
+# The engine goes on without a script or shader that does not compile; what it then draws or measures is worth nothing.
+_BROKEN = re.compile(r"^(SCRIPT|SHADER) ERROR:", re.MULTILINE)
 
 
 def open_project(godot: Godot, arguments: list[str]) -> int:
@@ -48,8 +51,9 @@ def run_script(godot: Godot, script: str, renderer: str, arguments: list[str], b
     env = {**os.environ, "BLACKHOLE_CALLER_DIR": str(base or Path.cwd())}
     status = process.run_logged(script_command(godot, script, renderer, arguments), log, env=env, timeout_s=_TIMEOUT_S)
     printed = log.read_text(encoding="utf-8", errors="replace")
-    if status != 0:
-        raise Failure(f"{reason(printed) or tail(log)}\n(exit status {status}; all of the output is in {log})", status)
+    if status != 0 or _BROKEN.search(printed):
+        why = reason(printed) or tail(log)
+        raise Failure(f"{why}\n(exit status {status}; all of the output is in {log})", status or 1)
     log.unlink()
     return printed
 
