@@ -88,6 +88,7 @@ void BlackHoleSky::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("distance_to", "world_position"), &BlackHoleSky::distance_to);
 	ClassDB::bind_method(D_METHOD("shadow_angle_at", "world_position"), &BlackHoleSky::shadow_angle_at);
 	ClassDB::bind_method(D_METHOD("get_update_time_ms"), &BlackHoleSky::get_update_time_ms);
+	ClassDB::bind_method(D_METHOD("get_warnings"), &BlackHoleSky::_get_configuration_warnings);
 
 	ADD_GROUP("Hole", "");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "schwarzschild_radius", PROPERTY_HINT_RANGE,
