@@ -25,7 +25,7 @@ RID make_screen_mesh(RenderingServer *server) {
 	Array arrays;
 	arrays.resize(RenderingServer::ARRAY_MAX);
 	arrays[RenderingServer::ARRAY_VERTEX] = vertices;
-	const RID mesh = server->mesh_create();
+	RID mesh = server->mesh_create();
 	server->mesh_add_surface_from_arrays(mesh, RenderingServer::PRIMITIVE_TRIANGLES, arrays);
 	return mesh;
 }

@@ -14,7 +14,7 @@
 
 /// From where, and how finely, a viewport looks at its world.
 struct WatchingEye {
-	glm::dvec3 place; ///< world
+	glm::dvec3 place{0.0}; ///< world
 	double pixel_gain =
 			1.0; ///< largest ratio Omega_ref/Omega_px in its picture: luminance of a star over reference
 	double wobble = 0.0; ///< how far from `place` the true eyes may be, world units

@@ -7,7 +7,7 @@
 
 /// The one place where core's vectors and the engine's meet.
 inline glm::dvec3 to_glm(const godot::Vector3 &v) {
-	return glm::dvec3(v.x, v.y, v.z);
+	return {v.x, v.y, v.z};
 }
 
 inline godot::Vector3 to_godot(const glm::dvec3 &v) {

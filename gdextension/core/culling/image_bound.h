@@ -11,7 +11,7 @@ namespace blackhole {
 
 /// What the bound needs of one eye; worked out once per eye and frame.
 struct EyeBound {
-	glm::dvec3 outward; ///< unit vector from the hole to the eye, in the axes of the star groups
+	glm::dvec3 outward{0.0}; ///< unit vector from the hole to the eye, in the axes of the star groups
 	double u = 0.0;     ///< r_s/r
 	double kappa = 0.0; ///< of the observer's motion
 	double sigma_c = 0.0;

@@ -13,7 +13,7 @@ namespace blackhole {
 /// Stars of like brightness in one part of the sky: what is drawn, or left out, as a whole.
 struct StarGroup {
 	std::vector<std::uint32_t> stars; ///< places in StarTable::stars, brightest first
-	glm::dvec3 centre;                ///< unit vector, ICRS axes
+	glm::dvec3 centre{0.0};                ///< unit vector, ICRS axes
 	double angular_radius = 0.0;      ///< radians; every star lies within it of the centre
 	float brightest_v = 0.0F;         ///< V of the first star
 	float coolest_k = 0.0F;           ///< lowest temperature, kelvin
