@@ -18,7 +18,7 @@ private:
 	GDExtensionObjectPtr pointer_;
 };
 
-// nil, or an object that is a T.
+// nil, an empty reference, or a living object that is a T.
 template <class T>
 bool accepts_object(const Variant &value) {
 	if (value.get_type() == Variant::NIL) {
@@ -28,7 +28,10 @@ bool accepts_object(const Variant &value) {
 		return false;
 	}
 	const Wrapped *wrapper = value.get_validated_wrapper();
-	return wrapper == nullptr || dynamic_cast<const T *>(wrapper) != nullptr;
+	if (wrapper == nullptr) {
+		return api.variant_get_object_instance_id(value._native_ptr()) == 0; // otherwise it has been freed
+	}
+	return dynamic_cast<const T *>(wrapper) != nullptr;
 }
 
 template <class T>

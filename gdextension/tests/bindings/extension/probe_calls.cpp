@@ -69,7 +69,7 @@ Dictionary ProbeCalls::text_facts(const String &text) {
 }
 
 Dictionary ProbeCalls::vector_facts() {
-	const Basis turn(Vector3(0, 1, 0), static_cast<real_t>(Math_PI / 2.0));
+	const Basis turn(Vector3(0, 1, 0), static_cast<real_t>(Math::PI / 2.0));
 	const Transform3D frame(turn, Vector3(1, 2, 3));
 	Dictionary facts;
 	facts["turned"] = turn.xform(Vector3(0, 0, 1));
@@ -210,6 +210,12 @@ int ProbeCalls::connect_twice() {
 	return equal ? emissions_ : -1;
 }
 
+void ProbeCalls::leak_on_purpose() {
+	int *volatile lost = new int[1000];
+	lost = nullptr;
+	static_cast<void>(lost);
+}
+
 void ProbeCalls::fail_softly(int index) {
 	ERR_FAIL_INDEX_MSG(index, 3, "The index must be below three.");
 	ERR_FAIL_COND_MSG(index == 2, vformat("Two is refused, not %d.", index));
@@ -257,6 +263,7 @@ void ProbeCalls::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("call_with", "callable", "argument"), &ProbeCalls::call_with);
 	ClassDB::bind_method(D_METHOD("get_doubler"), &ProbeCalls::get_doubler);
 	ClassDB::bind_method(D_METHOD("connect_twice"), &ProbeCalls::connect_twice);
+	ClassDB::bind_method(D_METHOD("leak_on_purpose"), &ProbeCalls::leak_on_purpose);
 	ClassDB::bind_method(D_METHOD("fail_softly", "index"), &ProbeCalls::fail_softly);
 	ADD_SIGNAL(MethodInfo("pulse", PropertyInfo(Variant::INT, "step")));
 }

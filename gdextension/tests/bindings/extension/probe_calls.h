@@ -67,6 +67,9 @@ public:
 	godot::Callable get_doubler() { return callable_of(); }
 	int connect_twice();
 
+	// Leaves an allocation behind, so that the tests can show that a leak would be found.
+	void leak_on_purpose();
+
 	void fail_softly(int index);
 
 protected:

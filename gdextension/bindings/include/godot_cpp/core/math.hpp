@@ -7,17 +7,14 @@
 #include <concepts>
 #include <numbers>
 
-#define CMP_EPSILON 0.00001
-
 namespace godot {
 
-inline constexpr double Math_PI = std::numbers::pi;
-inline constexpr double Math_TAU = 2.0 * std::numbers::pi;
+inline constexpr double CMP_EPSILON = 0.00001;
 
 namespace Math {
 
-inline constexpr double PI = Math_PI;
-inline constexpr double TAU = Math_TAU;
+inline constexpr double PI = std::numbers::pi;
+inline constexpr double TAU = 2.0 * std::numbers::pi;
 
 template <std::floating_point T>
 T sqrt(T value) {
