@@ -18,7 +18,9 @@ BUILD = [
 VIRTUAL_SCREEN = ["xvfb", "xauth"]
 # The private copy of Godot brings drivers of its own; a Godot of the system's draws with these on a virtual screen.
 SOFTWARE_DRIVERS = ["libgl1", "libgl1-mesa-dri", "libvulkan1", "mesa-vulkan-drivers"]
-CHECKS = ["git", "libgtest-dev", "libbenchmark-dev", "clang-format", "clang-tidy", "shellcheck", "python3-venv"]
+CHECKS = [
+    "git", "libgtest-dev", "libbenchmark-dev", "clang-format", "clang-tidy", "shellcheck", "python3-venv", "python3-numpy",
+]
 
 _DPKG_STATUS = Path("/var/lib/dpkg/status")
 

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import os
+import shutil
 import sys
 from pathlib import Path
 
@@ -24,12 +26,14 @@ def cpp_stage(context: Context) -> list[Case]:
 
 
 def provider_stage(context: Context) -> list[Case]:
-    """The tests of the binding provider, under the address sanitizer."""
+    """The tests of the binding provider (or of upstream godot-cpp in $GODOT_CPP_DIR), under the address sanitizer."""
     godot = context.engine
     command = [
         sys.executable, _PROVIDER, "--godot", godot.executable, "--build-dir", paths.BUILD / "provider",
         "--asan", "--junit", result_file("provider"),
     ]
+    if upstream := os.environ.get("GODOT_CPP_DIR"):
+        command += ["--godot-cpp-dir", os.path.abspath(upstream)]
     return run_for_junit(command, "provider", 900, context.environment())
 
 
@@ -74,5 +78,7 @@ def render_stage(context: Context, renderer: str) -> list[Case]:
 
 def _unittest(path: Path, name: str, timeout_s: float, context: Context) -> list[Case]:
     runner = Path(__file__).parent / "unittest_junit.py"
-    command = [sys.executable, runner, path, result_file(name)]
+    # The modules that the tools use come with the system's packages, so its Python is the one to take.
+    python = shutil.which("python3", path="/usr/bin") or sys.executable
+    command = [python, runner, path, result_file(name)]
     return run_for_junit(command, name, timeout_s, context.environment())
