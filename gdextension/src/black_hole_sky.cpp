@@ -22,6 +22,12 @@ using namespace godot;
 namespace {
 
 constexpr double kTwoPi = 6.283185307179586;
+constexpr double kLargest = 1e30; // of lengths and luminances, within single precision
+
+/// A new value of a property within its limits; what is no number leaves it as it was.
+double limited(double value, double low, double high, double present) {
+	return std::isnan(value) ? present : std::clamp(value, low, high);
+}
 
 } // namespace
 
@@ -212,12 +218,12 @@ void BlackHoleSky::set_table(const Ref<LensingTable> &p_table) {
 }
 
 void BlackHoleSky::set_schwarzschild_radius(double metres) {
-	schwarzschild_radius = std::max(metres, 1e-6);
+	schwarzschild_radius = limited(metres, 1e-6, kLargest, schwarzschild_radius);
 	settings_changed();
 }
 
 void BlackHoleSky::set_lensing(double fraction) {
-	lensing = std::clamp(fraction, 0.0, 1.0);
+	lensing = limited(fraction, 0.0, 1.0, lensing);
 	settings_changed();
 }
 
@@ -232,7 +238,7 @@ void BlackHoleSky::set_stars_visible(bool shown) {
 }
 
 void BlackHoleSky::set_magnitude_limit(double magnitude) {
-	magnitude_limit = std::clamp(magnitude, -30.0, 99.0);
+	magnitude_limit = limited(magnitude, -30.0, 99.0, magnitude_limit);
 	settings_changed();
 }
 
@@ -242,17 +248,17 @@ void BlackHoleSky::set_image_orders(int orders) {
 }
 
 void BlackHoleSky::set_psf_sigma(double pixels) {
-	psf_sigma = std::clamp(pixels, 0.3, 32.0);
+	psf_sigma = limited(pixels, 0.3, 32.0, psf_sigma);
 	settings_changed();
 }
 
 void BlackHoleSky::set_faint_limit(double luminance) {
-	faint_limit = std::clamp(luminance, 1e-9, 1.0);
+	faint_limit = limited(luminance, 1e-9, 1.0, faint_limit);
 	settings_changed();
 }
 
 void BlackHoleSky::set_exposure(double ev) {
-	exposure = std::clamp(ev, -40.0, 60.0);
+	exposure = limited(ev, -40.0, 60.0, exposure);
 	settings_changed();
 }
 
@@ -269,7 +275,7 @@ void BlackHoleSky::set_panorama(const Ref<Texture2D> &texture) {
 }
 
 void BlackHoleSky::set_panorama_luminance(double luminance) {
-	panorama_luminance = std::max(luminance, 0.0);
+	panorama_luminance = limited(luminance, 0.0, kLargest, panorama_luminance);
 	set_background(background);
 }
 
