@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 extends SceneTree
-## Opens the project's main scene (an empty one where there is none) and prints how long it took from
-## the start of the engine until the first frame was drawn.
+## Opens the project's main scene (an empty one where there is none) and prints how long it took
+## from the start of the engine until the first frame was drawn.
 
 
 func _initialize() -> void:
