@@ -5,23 +5,19 @@
 #include <chrono>
 #include <cmath>
 
-#include <glm/geometric.hpp>
-
 #include <godot_cpp/classes/rendering_server.hpp>
 #include <godot_cpp/classes/viewport.hpp>
 #include <godot_cpp/classes/window.hpp>
 #include <godot_cpp/classes/world3d.hpp>
 #include <godot_cpp/variant/callable_method_pointer.hpp>
 
-#include "core/photometry/radiometry.h"
-#include "src/glm_adapter.h"
 #include "src/planck_texture.h"
+#include "src/star_choice.h"
 
 using namespace godot;
 
 namespace {
 
-constexpr double kTwoPi = 6.283185307179586;
 constexpr double kLargest = 1e30; // of lengths and luminances, within single precision
 
 /// A new value of a property within its limits; what is no number leaves it as it was.
@@ -126,45 +122,13 @@ void BlackHoleSky::before_draw() {
 		apply_settings();
 	}
 	if (changed) {
-		choose_groups(eyes);
+		if (settings.lensing) {
+			choose_stars(star_layer, settings, eyes, *table->data());
+		}
 		last_eyes = eyes;
 	}
 	const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - start;
 	update_time_ms = spent.count();
-}
-
-void BlackHoleSky::choose_groups(const std::vector<WatchingEye> &eyes) {
-	if (!settings.lensing) {
-		return;
-	}
-	const blackhole::ObserverMotion motion = observer_motion == LensingTable::MOTION_STATIC
-			? blackhole::ObserverMotion::kStatic
-			: blackhole::ObserverMotion::kRain;
-	const Basis world_to_sky = settings.sky_to_world.transposed();
-	eye_bounds.clear();
-	for (const WatchingEye &eye : eyes) {
-		const Vector3 offset = to_godot(eye.place) - settings.hole_position;
-		const glm::dvec3 position = to_glm(world_to_sky.xform(offset)) * settings.inverse_radius;
-		eye_bounds.push_back(blackhole::eye_bound(
-				glm::length(position) > 1e-6 ? position : glm::dvec3(0.0, 0.0, 1e-6), motion));
-	}
-	const std::vector<blackhole::StarGroup> &groups = star_layer.star_groups();
-	const double peak_gain =
-			blackhole::kStarGain * settings.exposure / (kTwoPi * psf_sigma * psf_sigma * faint_limit);
-	for (int order = 0; order < image_orders; ++order) {
-		for (std::size_t g = 0; g < groups.size(); ++g) {
-			bool wanted = false;
-			for (std::size_t e = 0; e < eyes.size() && !wanted; ++e) {
-				const double limit = 2.5 * std::log10(peak_gain * eyes[e].pixel_gain);
-				const double distance = 1.0 / (eye_bounds[e].u * settings.inverse_radius);
-				const double slack =
-						eyes[e].wobble > 0.0 ? std::asin(std::min(1.0, eyes[e].wobble / distance)) : 0.0;
-				wanted = blackhole::brightest_image_magnitude(
-								 eye_bounds[e], groups[g], order, slack, planck) <= limit;
-			}
-			star_layer.set_group_visibility(order, g, wanted);
-		}
-	}
 }
 
 void BlackHoleSky::catalogue_changed() {

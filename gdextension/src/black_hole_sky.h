@@ -9,8 +9,6 @@
 #include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/variant/packed_string_array.hpp>
 
-#include "core/culling/image_bound.h"
-#include "core/photometry/planck_table.h"
 #include "src/background_layer.h"
 #include "src/eye_tracker.h"
 #include "src/lensing_table.h"
@@ -79,7 +77,6 @@ private:
 	void catalogue_changed();
 	void table_changed();
 	void before_draw();
-	void choose_groups(const std::vector<WatchingEye> &eyes);
 	void node_added(godot::Node *node);
 	void node_removed(godot::Node *node);
 	bool is_lensing() const;
@@ -88,8 +85,6 @@ private:
 	BackgroundLayer background_layer;
 	EyeTracker eye_tracker;
 	std::vector<WatchingEye> last_eyes;
-	std::vector<blackhole::EyeBound> eye_bounds;
-	blackhole::PlanckTable planck;
 	SkySettings settings;
 
 	double schwarzschild_radius = 1.0;

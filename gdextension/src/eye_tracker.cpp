@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+
+#include <glm/geometric.hpp>
 
 #include <godot_cpp/classes/camera3d.hpp>
 #include <godot_cpp/classes/sub_viewport.hpp>
@@ -34,7 +37,7 @@ WatchingEye watching_eye(Viewport *viewport, const Camera3D *camera) {
 	WatchingEye eye;
 	eye.place = to_glm(camera->get_camera_transform().origin);
 	if (viewport->is_using_xr()) {
-		eye.pixel_gain = kHeadsetGain;
+		eye.axis_gain = kHeadsetGain;
 		eye.wobble = kHeadsetWobble;
 		return eye;
 	}
@@ -44,11 +47,22 @@ WatchingEye watching_eye(Viewport *viewport, const Camera3D *camera) {
 	const double scale_y = projection.columns[1][1];
 	const double focal2 = 0.25 * scale_x * size.x * scale_y * size.y;
 	const double corner2 = 1.0 + 1.0 / (scale_x * scale_x) + 1.0 / (scale_y * scale_y);
-	eye.pixel_gain = focal2 / (kReferenceFocal * kReferenceFocal) * corner2 * std::sqrt(corner2);
+	eye.axis = -to_glm(camera->get_camera_transform().basis.get_column(2));
+	eye.axis_gain = focal2 / (kReferenceFocal * kReferenceFocal);
+	eye.corner_cosine = 1.0 / std::sqrt(corner2);
 	return eye;
 }
 
 } // namespace
+
+double WatchingEye::pixel_gain(const glm::dvec3 &towards, double reach) const {
+	if (axis == glm::dvec3(0.0)) {
+		return axis_gain;
+	}
+	const double angle = std::acos(std::clamp(glm::dot(axis, towards), -1.0, 1.0)) + reach;
+	const double cosine = std::max(std::cos(std::min(angle, std::numbers::pi)), corner_cosine);
+	return axis_gain / (cosine * cosine * cosine);
+}
 
 void EyeTracker::scan(Node *root) {
 	add(root);

@@ -14,12 +14,16 @@
 
 /// From where, and how finely, a viewport looks at its world.
 struct WatchingEye {
-	glm::dvec3 place{0.0}; ///< world
-	double pixel_gain =
-			1.0; ///< largest ratio Omega_ref/Omega_px in its picture: luminance of a star over reference
-	double wobble = 0.0; ///< how far from `place` the true eyes may be, world units
+	glm::dvec3 place{0.0};      ///< world
+	glm::dvec3 axis{0.0};       ///< unit viewing direction, world; 0 when it is not known
+	double axis_gain = 1.0;     ///< Omega_ref/Omega_px on the axis: luminance of a star over reference
+	double corner_cosine = 1.0; ///< of the angle between the axis and the picture's corners
+	double wobble = 0.0;        ///< how far from `place` the true eyes may be, world units
 
 	bool operator==(const WatchingEye &) const = default;
+
+	/// Largest Omega_ref/Omega_px in the part of the picture within `reach` [rad] of a direction (world).
+	double pixel_gain(const glm::dvec3 &towards, double reach) const;
 };
 
 /// Knows every viewport of the scene tree, and so from where a world is being looked at in this frame.

@@ -21,6 +21,7 @@ namespace {
 constexpr int kFloatsPerStar = 12;
 constexpr int kRenderPriority = -100; // behind everything else that is transparent, before the background
 constexpr float kEverywhere = 1e6F;
+constexpr double kHigherOrderFaintness = 3.0; // 3 x 5e-5: half a step of an 8-bit sRGB picture
 
 /// A triangle whose inscribed circle is the unit circle: three vertices a star rather than a quad's four.
 RID make_sprite_mesh(RenderingServer *server) {
@@ -41,8 +42,8 @@ AABB everywhere() {
 }
 
 /// The instance transform that the shader reads (see star_layer.gdshaderinc): three rows of basis and origin.
-void pack_star(const blackhole::Star &star, const blackhole::PlanckTable &planck, float *row) {
-	const glm::dvec3 direction = blackhole::world_direction(star);
+void pack_star(const blackhole::Star &star, const glm::dvec3 &direction, const blackhole::PlanckTable &planck,
+		float *row) {
 	const double log_luminance = planck.log2_luminance(star.temperature_k);
 	const double radius = blackhole::star_angular_radius(star.v_magnitude, star.temperature_k, planck);
 	const float values[kFloatsPerStar] = {std::pow(10.0F, -0.4F * star.v_magnitude),
@@ -75,44 +76,53 @@ void StarLayer::ensure_materials() {
 void StarLayer::build(const blackhole::StarTable &table) {
 	clear();
 	ensure_materials();
-	RenderingServer *server = RenderingServer::get_singleton();
 	const blackhole::PlanckTable planck;
-	groups = blackhole::group_stars(table);
+	std::vector<glm::dvec3> directions;
+	directions.reserve(table.stars.size());
+	for (const blackhole::Star &star : table.stars) {
+		directions.push_back(blackhole::world_direction(star));
+	}
+	groups = blackhole::group_stars(table, directions, planck);
 	cells.resize(groups.size());
 	for (std::size_t g = 0; g < groups.size(); ++g) {
 		Cell &cell = cells[g];
 		const std::vector<uint32_t> &members = groups[g].stars;
-		PackedFloat32Array buffer;
-		buffer.resize(static_cast<int64_t>(members.size()) * kFloatsPerStar);
-		float *row = buffer.ptrw();
+		cell.rows.resize(static_cast<int64_t>(members.size()) * kFloatsPerStar);
+		float *row = cell.rows.ptrw();
 		cell.magnitudes.reserve(members.size());
 		for (const uint32_t member : members) {
-			pack_star(table.stars[member], planck, row);
+			pack_star(table.stars[member], directions[member], planck, row);
 			cell.magnitudes.push_back(table.stars[member].v_magnitude);
 			row += kFloatsPerStar;
 		}
-		cell.multimesh = server->multimesh_create();
-		server->multimesh_allocate_data(cell.multimesh, static_cast<int32_t>(members.size()),
-				RenderingServer::MULTIMESH_TRANSFORM_3D);
-		server->multimesh_set_mesh(cell.multimesh, sprite);
-		server->multimesh_set_custom_aabb(cell.multimesh, everywhere());
-		server->multimesh_set_buffer(cell.multimesh, buffer);
-		for (int order = 0; order < kMaxOrders; ++order) {
-			const RID instance = server->instance_create();
-			server->instance_set_base(instance, cell.multimesh);
-			server->instance_set_custom_aabb(instance, everywhere());
-			server->instance_set_visible(instance, false);
-			server->instance_geometry_set_material_override(
-					instance, materials[static_cast<std::size_t>(order)]);
-			server->instance_geometry_set_cast_shadows_setting(
-					instance, RenderingServer::SHADOW_CASTING_SETTING_OFF);
-			if (scenario.is_valid()) {
-				server->instance_set_scenario(instance, scenario);
-			}
-			cell.instances[static_cast<std::size_t>(order)] = instance;
-		}
 	}
 	apply(current);
+}
+
+void StarLayer::make_images(Cell &cell, int order) {
+	Images &images = cell.images[static_cast<std::size_t>(order)];
+	if (images.multimesh.is_valid()) {
+		return;
+	}
+	RenderingServer *server = RenderingServer::get_singleton();
+	images.multimesh = server->multimesh_create();
+	server->multimesh_allocate_data(images.multimesh, static_cast<int32_t>(cell.magnitudes.size()),
+			RenderingServer::MULTIMESH_TRANSFORM_3D);
+	server->multimesh_set_mesh(images.multimesh, sprite);
+	server->multimesh_set_custom_aabb(images.multimesh, everywhere());
+	server->multimesh_set_buffer(images.multimesh, cell.rows);
+	server->multimesh_set_visible_instances(images.multimesh, 0);
+	images.instance = server->instance_create();
+	server->instance_set_base(images.instance, images.multimesh);
+	server->instance_set_custom_aabb(images.instance, everywhere());
+	server->instance_set_visible(images.instance, false);
+	server->instance_geometry_set_material_override(
+			images.instance, materials[static_cast<std::size_t>(order)]);
+	server->instance_geometry_set_cast_shadows_setting(
+			images.instance, RenderingServer::SHADOW_CASTING_SETTING_OFF);
+	if (scenario.is_valid()) {
+		server->instance_set_scenario(images.instance, scenario);
+	}
 }
 
 void StarLayer::clear() {
@@ -121,10 +131,12 @@ void StarLayer::clear() {
 		return;
 	}
 	for (const Cell &cell : cells) {
-		for (const RID &instance : cell.instances) {
-			server->free_rid(instance);
+		for (const Images &images : cell.images) {
+			if (images.multimesh.is_valid()) {
+				server->free_rid(images.instance);
+				server->free_rid(images.multimesh);
+			}
 		}
-		server->free_rid(cell.multimesh);
 	}
 	cells.clear();
 	groups.clear();
@@ -142,8 +154,10 @@ void StarLayer::set_scenario(const RID &p_scenario) {
 	scenario = p_scenario;
 	RenderingServer *server = RenderingServer::get_singleton();
 	for (const Cell &cell : cells) {
-		for (const RID &instance : cell.instances) {
-			server->instance_set_scenario(instance, scenario);
+		for (const Images &images : cell.images) {
+			if (images.instance.is_valid()) {
+				server->instance_set_scenario(images.instance, scenario);
+			}
 		}
 	}
 }
@@ -157,14 +171,32 @@ void StarLayer::set_textures(const RID &inverse_table, const RID &planck_table) 
 	}
 }
 
-void StarLayer::show(Cell &cell, int order) {
-	const auto o = static_cast<std::size_t>(order);
-	const int orders = current.lensing ? current.image_orders : 1;
-	const bool visible =
-			layer_shown && cell.drawn > 0 && order < orders && (cell.wanted[o] || !current.lensing);
-	if (visible != cell.visible[o]) {
-		cell.visible[o] = visible;
-		RenderingServer::get_singleton()->instance_set_visible(cell.instances[o], visible);
+int StarLayer::count_to(const Cell &cell, double magnitude) const {
+	const auto limit = static_cast<float>(std::min(magnitude, current.magnitude_limit));
+	const auto end = std::upper_bound(cell.magnitudes.begin(), cell.magnitudes.end(), limit);
+	return static_cast<int>(end - cell.magnitudes.begin());
+}
+
+void StarLayer::draw(Cell &cell, int order, int count) {
+	Images &images = cell.images[static_cast<std::size_t>(order)];
+	// Some to spare, so that a moving eye seldom changes the number.
+	const int spare = 2 + count / 32;
+	if (count > images.reserved || count + 3 * spare < images.reserved || count == 0) {
+		const int all = static_cast<int>(cell.magnitudes.size());
+		const int wanted = count == 0 ? 0 : std::min(count + spare, all);
+		if (wanted != images.reserved) {
+			images.reserved = wanted;
+			RenderingServer::get_singleton()->multimesh_set_visible_instances(images.multimesh, wanted);
+		}
+	}
+	show(images, order);
+}
+
+void StarLayer::show(Images &images, int order) {
+	const bool visible = layer_shown && images.reserved > 0 && order < orders_drawn();
+	if (visible != images.visible) {
+		images.visible = visible;
+		RenderingServer::get_singleton()->instance_set_visible(images.instance, visible);
 	}
 }
 
@@ -172,15 +204,17 @@ void StarLayer::set_shown(bool shown) {
 	layer_shown = shown;
 	for (Cell &cell : cells) {
 		for (int order = 0; order < kMaxOrders; ++order) {
-			show(cell, order);
+			show(cell.images[static_cast<std::size_t>(order)], order);
 		}
 	}
 }
 
-void StarLayer::set_group_visibility(int order, std::size_t group, bool shown) {
-	Cell &cell = cells[group];
-	cell.wanted[static_cast<std::size_t>(order)] = shown;
-	show(cell, order);
+void StarLayer::set_faintest(int order, std::size_t group, double magnitude) {
+	draw(cells[group], order, count_to(cells[group], magnitude));
+}
+
+double StarLayer::faint_limit(const SkySettings &settings, int order) {
+	return settings.faint_limit * (order > 0 ? kHigherOrderFaintness : 1.0);
 }
 
 void StarLayer::apply(const SkySettings &settings) {
@@ -188,7 +222,8 @@ void StarLayer::apply(const SkySettings &settings) {
 	ensure_materials();
 	RenderingServer *server = RenderingServer::get_singleton();
 	const RID shader = settings.lensing ? lensed_shader->get_rid() : flat_shader->get_rid();
-	for (const RID &material : materials) {
+	for (int order = 0; order < kMaxOrders; ++order) {
+		const RID material = materials[static_cast<std::size_t>(order)];
 		server->material_set_shader(material, shader);
 		server->material_set_param(material, "_hole_position", settings.hole_position);
 		server->material_set_param(material, "_inverse_radius", settings.inverse_radius);
@@ -196,22 +231,23 @@ void StarLayer::apply(const SkySettings &settings) {
 		server->material_set_param(material, "_sky_to_world", settings.sky_to_world);
 		server->material_set_param(material, "_exposure", blackhole::kStarGain * settings.exposure);
 		server->material_set_param(material, "_psf_sigma", settings.psf_sigma);
-		server->material_set_param(material, "_faint_limit", settings.faint_limit);
+		server->material_set_param(material, "_faint_limit", faint_limit(settings, order));
 		server->material_set_param(
 				material, "_flux_limit", std::pow(10.0, -0.4 * (settings.magnitude_limit + 1e-6)));
 	}
 	for (Cell &cell : cells) {
-		const auto end = std::upper_bound(
-				cell.magnitudes.begin(), cell.magnitudes.end(), static_cast<float>(settings.magnitude_limit));
-		const int drawn = static_cast<int>(end - cell.magnitudes.begin());
-		if (drawn != cell.drawn) {
-			cell.drawn = drawn;
-			server->multimesh_set_visible_instances(cell.multimesh, drawn);
-		}
 		for (int order = 0; order < kMaxOrders; ++order) {
-			const auto o = static_cast<std::size_t>(order);
-			server->instance_set_layer_mask(cell.instances[o], settings.render_layers);
-			show(cell, order);
+			Images &images = cell.images[static_cast<std::size_t>(order)];
+			if (order < orders_drawn()) {
+				make_images(cell, order);
+			}
+			if (!settings.lensing && order == 0) {
+				draw(cell, order, count_to(cell, settings.magnitude_limit));
+			}
+			if (images.instance.is_valid()) {
+				server->instance_set_layer_mask(images.instance, settings.render_layers);
+				show(images, order);
+			}
 		}
 	}
 }

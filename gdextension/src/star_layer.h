@@ -6,14 +6,15 @@
 
 #include <godot_cpp/classes/ref.hpp>
 #include <godot_cpp/classes/shader.hpp>
+#include <godot_cpp/variant/packed_float32_array.hpp>
 #include <godot_cpp/variant/rid.hpp>
 
 #include "core/catalogue/star.h"
 #include "core/culling/star_groups.h"
 #include "src/sky_settings.h"
 
-/// Draws a catalogue: one MultiMesh per star group, one instance of it per image order. Owns what it makes on
-/// the RenderingServer.
+/// Draws a catalogue: per order of images and group of stars one MultiMesh, of which the brightest stars are
+/// drawn, as many as can be seen. Owns what it makes on the RenderingServer.
 class StarLayer {
 public:
 	static constexpr int kMaxOrders = 4;
@@ -23,7 +24,7 @@ public:
 	StarLayer &operator=(const StarLayer &) = delete;
 	~StarLayer() { clear(); }
 
-	/// Uploads the stars (48 bytes each) and groups them.
+	/// Groups the stars and packs them, 48 bytes each; they are uploaded once per order that is drawn.
 	void build(const blackhole::StarTable &table);
 	void clear();
 
@@ -33,22 +34,35 @@ public:
 	void set_textures(const godot::RID &inverse_table, const godot::RID &planck_table);
 	void apply(const SkySettings &settings);
 
-	/// Draws, per order, only the groups of which an image can be seen. shown[order * group_count() + group].
-	void set_group_visibility(int order, std::size_t group, bool shown);
+	/// While lensing: the faintest V magnitude, in this group, of which this order's image can be seen.
+	void set_faintest(int order, std::size_t group, double magnitude);
 	const std::vector<blackhole::StarGroup> &star_groups() const { return groups; }
 
+	/// Peak luminance below which images of this order are not drawn. The many higher images that alone would
+	/// not change an 8-bit picture are not worth their cost: there the limit is half a step of such a
+	/// picture.
+	static double faint_limit(const SkySettings &settings, int order);
+
 private:
-	struct Cell {
+	/// A group's images of one order.
+	struct Images {
 		godot::RID multimesh;
-		std::array<godot::RID, kMaxOrders> instances;
-		std::array<bool, kMaxOrders> wanted = {true, true, true, true};
-		std::array<bool, kMaxOrders> visible = {false, false, false, false};
+		godot::RID instance;
+		int reserved = 0; ///< stars that the MultiMesh is set to draw
+		bool visible = false;
+	};
+	struct Cell {
+		godot::PackedFloat32Array rows; ///< the instance buffer
 		std::vector<float> magnitudes;
-		int drawn = -1;
+		std::array<Images, kMaxOrders> images;
 	};
 
 	void ensure_materials();
-	void show(Cell &cell, int order);
+	void make_images(Cell &cell, int order);
+	int count_to(const Cell &cell, double magnitude) const;
+	void draw(Cell &cell, int order, int count);
+	void show(Images &images, int order);
+	int orders_drawn() const { return current.lensing ? current.image_orders : 1; }
 
 	godot::Ref<godot::Shader> lensed_shader;
 	godot::Ref<godot::Shader> flat_shader;

@@ -7,22 +7,23 @@
 #include <glm/vec3.hpp>
 
 #include "core/catalogue/star.h"
+#include "core/culling/shift_bound.h"
+#include "core/photometry/planck_table.h"
 
 namespace blackhole {
 
-/// Stars of like brightness in one part of the sky: what is drawn, or left out, as a whole.
+/// The stars in one part of the sky, brightest first: of each group the brightest are drawn, as many as can
+/// be seen.
 struct StarGroup {
 	std::vector<std::uint32_t> stars; ///< places in StarTable::stars, brightest first
-	glm::dvec3 centre{0.0};                ///< unit vector, ICRS axes
+	glm::dvec3 centre{0.0};           ///< unit vector, ICRS axes
 	double angular_radius = 0.0;      ///< radians; every star lies within it of the centre
-	float brightest_v = 0.0F;         ///< V of the first star
-	float coolest_k = 0.0F;           ///< lowest temperature, kelvin
-	float hottest_k = 0.0F;           ///< highest temperature, kelvin
+	ShiftBound shift;                 ///< what a shift of frequencies does to its stars at most
 };
 
-/// Divides a catalogue (brightest first) into at most 127 groups: the 1,024 brightest stars over the whole
-/// sky, the next 7,168 by cube faces, the next 24,576 by quarter faces and the rest by sixteenths, so that
-/// faint stars, the many, are known to lie in small cells. A star belongs to one group only.
-std::vector<StarGroup> group_stars(const StarTable &table);
+/// Divides a catalogue (brightest first) into at most 150 groups: twenty-fifths of the faces of a cube round
+/// the observer. `directions` are the stars' unit vectors. A star belongs to one group only.
+std::vector<StarGroup> group_stars(
+		const StarTable &table, const std::vector<glm::dvec3> &directions, const PlanckTable &planck);
 
 } // namespace blackhole

@@ -50,34 +50,36 @@ Ray ray_of_angle(const Texture &inverse, float u, float t, float t_slope) {
 	const float s_table = t > 0.0F ? 0.5F * (t + q_table) : eye.w_table / (q_table - t);
 	const float big_x = clamp(log(s_table * inversesqrt(0.5F * eye.w_table)), -LENS_X_LIMIT, LENS_X_LIMIT);
 	const vec2 column = lens_column(big_x);
-	const LensSample ratio = lens_sample(inverse, eye, column.x);
+	const LensSample ratio = lens_sample(inverse, lens_row(eye), column.x);
 	const float clearance = s0 * ratio.value;
 	const float slope = t_slope * s0 * (ratio.value / q + ratio.slope * column.y / q_table);
 	return {clearance, eye.sigma_c + clearance, slope};
 }
 
 vec2 angle_of_ray(const Texture &forward, float u, float y) {
-	return lens_orbital_angle(forward, eye_at(u), y);
-}
-
-float rain_redshift(float u, float cosine) {
-	return lens_rain_redshift(eye_at(u), vec3(0.0F, 0.0F, cosine));
+	const LensEye eye = eye_at(u);
+	return lens_orbital_angle(forward, eye, lens_row(eye), y);
 }
 
 Image star_image(
 		const Texture &inverse, vec3 place, vec3 star, int order, bool at_rest, float angular_radius) {
 	const LensEye eye = lens_eye(place, motion_code(at_rest));
-	const LensImage image = lens_star_image(inverse, eye, star, order, angular_radius);
-	const float doppler = lens_doppler(image.direction, eye.celerity);
-	return {lens_boost(image.direction, eye.celerity), image.magnification / (doppler * doppler),
-			image.redshift * doppler};
+	const LensPath path = lens_path(eye, star, order);
+	const LensImage image = lens_star_image(inverse, eye, lens_row(eye), path);
+	return {image.direction, lens_magnification(eye, path, image, angular_radius),
+			lens_redshift(eye, image.sigma)};
+}
+
+RoughPlace rough_place(vec3 place, vec3 star, int order, bool at_rest) {
+	const LensEye eye = lens_eye(place, motion_code(at_rest));
+	const LensPath path = lens_path(eye, star, order);
+	return {lens_direction(eye, path, lens_rough_sigma(eye, path)), lens_rough_error(eye)};
 }
 
 Sky trace(const Texture &forward, vec3 place, vec3 view_direction, bool at_rest) {
 	const LensEye eye = lens_eye(place, motion_code(at_rest));
-	const vec3 direction = lens_boost(view_direction, -eye.celerity);
-	const LensRay ray = lens_trace(forward, eye, direction);
-	return {ray.clearance <= 0.0F, ray.sky, ray.slope, ray.redshift * lens_doppler(direction, eye.celerity)};
+	const LensRay ray = lens_trace(forward, eye, lens_row(eye), view_direction);
+	return {ray.clearance <= 0.0F, ray.sky, ray.slope, ray.redshift};
 }
 
 } // namespace lensing_shader

@@ -27,6 +27,10 @@ struct Image {
 	float magnification;
 	float redshift;
 };
+struct RoughPlace {
+	glm::vec3 direction;
+	float error; ///< radians
+};
 struct Sky {
 	bool captured;
 	glm::vec3 direction;
@@ -40,11 +44,12 @@ float shadow_sigma(float u);
 Ray ray_of_angle(const Texture &inverse, float u, float t, float t_slope);
 /// Phi and dPhi/dy from the forward table.
 glm::vec2 angle_of_ray(const Texture &forward, float u, float y);
-/// g of a direction in the rain frame at u, given the cosine of its angle from the outward radial.
-float rain_redshift(float u, float cosine);
 /// Image of a star in the observer's own frame.
 Image star_image(const Texture &inverse, glm::vec3 place, glm::vec3 star, int order, bool at_rest,
 		float angular_radius);
+/// About where that image is, and how far off it may be: by this the star layer leaves out what is not in the
+/// picture before it reads the table.
+RoughPlace rough_place(glm::vec3 place, glm::vec3 star, int order, bool at_rest);
 /// Where a viewing direction of the observer's own frame ends.
 Sky trace(const Texture &forward, glm::vec3 place, glm::vec3 view_direction, bool at_rest);
 

@@ -22,14 +22,15 @@ float ShaderLensing::shadow_sigma(double u) {
 	return lensing_shader::shadow_sigma(static_cast<float>(u));
 }
 
-float ShaderLensing::rain_redshift(double u, double cos_xi) {
-	return lensing_shader::rain_redshift(static_cast<float>(u), static_cast<float>(-cos_xi));
-}
-
 ShaderLensing::Image ShaderLensing::star_image(
 		glm::vec3 place, glm::vec3 star, int order, ObserverMotion motion, float angular_radius) const {
 	return lensing_shader::star_image({&data.inverse, data.columns}, place, star, order,
 			motion == ObserverMotion::kStatic, angular_radius);
+}
+
+ShaderLensing::RoughPlace ShaderLensing::rough_place(
+		glm::vec3 place, glm::vec3 star, int order, ObserverMotion motion) {
+	return lensing_shader::rough_place(place, star, order, motion == ObserverMotion::kStatic);
 }
 
 ShaderLensing::Sky ShaderLensing::trace(

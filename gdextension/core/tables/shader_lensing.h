@@ -35,15 +35,17 @@ public:
 	/// sigma_c as the shader has it.
 	[[nodiscard]] static float shadow_sigma(double u);
 
-	/// g in the rain frame at u of light from the angle xi off the hole.
-	[[nodiscard]] static float rain_redshift(double u, double cos_xi);
-
 	/// Unit direction, magnification and redshift in the observer's own frame.
 	using Image = lensing_shader::Image;
 	/// Image of order 0 to 3 of a star, all in single precision from place to result; position in r_s. The
 	/// magnification is kept finite on the caustic by the star's angular radius [rad].
 	[[nodiscard]] Image star_image(
 			glm::vec3 place, glm::vec3 star, int order, ObserverMotion motion, float angular_radius) const;
+
+	/// About where the image is, without the tables, and the angle [rad] by which that may be wrong.
+	using RoughPlace = lensing_shader::RoughPlace;
+	[[nodiscard]] static RoughPlace rough_place(
+			glm::vec3 place, glm::vec3 star, int order, ObserverMotion motion);
 
 	/// Whether the ray is the hole's, and if not: the sky direction seen, dPhi/dxi in the rain frame,
 	/// redshift.

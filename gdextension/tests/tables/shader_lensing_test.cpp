@@ -98,6 +98,32 @@ TEST(ShaderRay, IsTheStarImagesRay) {
 	}
 }
 
+TEST(ShaderStarImage, IsWhereItsRoughPlaceSays) {
+	// Stars are left out of the picture by their rough place: it must not be wrong by more than it says.
+	const ShaderLensing shader(baked());
+	int told = 0;
+	for (const ObserverMotion motion : {ObserverMotion::kStatic, ObserverMotion::kRain}) {
+		for (double u = 1e-9; u < 20.0; u *= 1.3) {
+			if (motion == ObserverMotion::kStatic && u > 0.999) {
+				continue;
+			}
+			for (int order = 0; order < 4; ++order) {
+				for (float phi = 0.005F; phi < 3.14F; phi += 0.015F) {
+					const glm::vec3 star = kOutward * std::cos(phi) + kAcross * std::sin(phi);
+					const glm::vec3 place = kOutward * static_cast<float>(1.0 / u);
+					const auto rough = ShaderLensing::rough_place(place, star, order, motion);
+					const auto image = shader.star_image(place, star, order, motion, 0.0F);
+					EXPECT_LT(angle_between(glm::dvec3(rough.direction), glm::dvec3(image.direction)),
+							double{rough.error} + 1e-6)
+							<< "u " << u << " order " << order << " phi " << phi;
+					told += rough.error < 0.1F ? 1 : 0;
+				}
+			}
+		}
+	}
+	EXPECT_GT(told, 100000);
+}
+
 TEST(ShaderTrace, AgreesWithTheExactRay) {
 	const ShaderLensing shader(baked());
 	for (const Place &place : kPlaces) {
