@@ -35,22 +35,23 @@ func _run() -> void:
 
 
 func _take_list(list_path: String) -> void:
-	var list: Variant = JSON.parse_string(FileAccess.get_file_as_string(list_path))
-	if list is not Array:
+	var parsed: Variant = JSON.parse_string(FileAccess.get_file_as_string(list_path))
+	if parsed is not Array:
 		_fail(list_path, 'a batch is a JSON list of {"shot": ..., "out": ...}.')
 		return
+	var list: Array = parsed
 	var folder := list_path.get_base_dir()
-	for entry: Variant in list as Array:
-		if entry is not Dictionary or (entry as Dictionary).get("out") is not String:
+	for entry: Variant in list:
+		var item: Dictionary = entry if entry is Dictionary else {}
+		if item.get("out") is not String:
 			_fail(list_path, 'each entry needs "shot" and "out".')
 			continue
-		var item := entry as Dictionary
-		var out := item["out"] as String
+		var out: String = item["out"]
 		if not out.is_absolute_path():
 			out = folder.path_join(out)
 		var shot: Variant = item.get("shot")
 		if shot is String:
-			var path := shot as String
+			var path: String = shot
 			if not path.is_absolute_path():
 				path = folder.path_join(path)
 			await _take(ShotSpec.from_file(path, _caller_folder()), out)

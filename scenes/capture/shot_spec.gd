@@ -77,7 +77,7 @@ static func from_data(data: Variant, folders: PackedStringArray = []) -> ShotSpe
 	if data is not Dictionary:
 		spec.error = "A shot is a JSON object; this one is %s." % type_string(typeof(data))
 		return spec
-	spec._read(data as Dictionary)
+	spec._read(data)
 	return spec
 
 
@@ -179,11 +179,12 @@ func _read_stars(data: Dictionary) -> void:
 
 
 func _read_background(data: Dictionary) -> void:
-	var source: Variant = data.get("background", "none")
-	if source is not String:
+	var value: Variant = data.get("background", "none")
+	if value is not String:
 		_refuse('background must be "none", "grid", "milky_way" or the path of a panorama.')
 		return
-	match source as String:
+	var source: String = value
+	match source:
 		"none":
 			background = Background.NONE
 		"grid":
@@ -192,10 +193,10 @@ func _read_background(data: Dictionary) -> void:
 			background = Background.MILKY_WAY
 		_:
 			background = Background.FILE
-			if not PICTURE_FILES.has((source as String).get_extension().to_lower()):
+			if not PICTURE_FILES.has(source.get_extension().to_lower()):
 				_refuse("background %s is neither a known background nor a picture file." % source)
 				return
-			background_file = _find_file(source as String, "background")
+			background_file = _find_file(source, "background")
 
 
 func _find_file(path: String, key: String) -> String:
@@ -242,21 +243,22 @@ func _vector(
 	if not data.has(key):
 		return fallback
 	var value: Variant = data[key]
-	if value is not Array or (value as Array).size() != count:
+	var items: Array = value if value is Array else []
+	var numbers := PackedFloat64Array()
+	for item: Variant in items:
+		var number: float = item if item is float or item is int else NAN
+		if is_finite(number):
+			numbers.append(number)
+	if items.size() != count or numbers.size() != count:
 		_refuse("%s must be a list of %d numbers." % [key, count])
 		return fallback
-	var numbers := PackedFloat64Array()
-	for item: Variant in value as Array:
-		if (item is not float and item is not int) or not is_finite(item as float):
-			_refuse("%s must be a list of %d numbers." % [key, count])
-			return fallback
-		numbers.append(item as float)
 	return numbers
 
 
 func _choice(data: Dictionary, key: String, choices: PackedStringArray, fallback: int) -> int:
 	var value: Variant = data.get(key, choices[fallback])
-	if value is not String or not choices.has(value as String):
+	var chosen: String = value if value is String else ""
+	if not choices.has(chosen):
 		_refuse("%s must be one of: %s." % [key, ", ".join(choices)])
 		return fallback
-	return choices.find(value as String)
+	return choices.find(chosen)

@@ -13,8 +13,8 @@ func _init(folder_name: String) -> void:
 
 func _notification(what: int) -> void:
 	if what == NOTIFICATION_PREDELETE:
-		for file in DirAccess.get_files_at(path):
-			DirAccess.remove_absolute(path.path_join(file))
+		for written in DirAccess.get_files_at(path):
+			DirAccess.remove_absolute(path.path_join(written))
 		DirAccess.remove_absolute(path)
 
 

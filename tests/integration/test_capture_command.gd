@@ -11,7 +11,7 @@ var _folder := ScratchFolder.new("capture")
 func test_a_wrong_command_line_is_2() -> void:
 	var said: Array = []
 	assert_eq(_run([], said), 2)
-	assert_string_contains(said[0] as String, "SHOT.json")
+	assert_string_contains(said[0], "SHOT.json")
 
 
 func test_a_list_says_what_is_wrong_with_each_shot() -> void:
@@ -43,7 +43,7 @@ func test_a_list_that_is_none() -> void:
 	var said: Array = []
 	var path := ProjectSettings.globalize_path(_folder.write_text("list.json", "{}"))
 	assert_eq(_run(["--batch", path], said), 1)
-	assert_string_contains(said[0] as String, "a batch is a JSON list")
+	assert_string_contains(said[0], "a batch is a JSON list")
 
 
 func _run(arguments: PackedStringArray, said: Array) -> int:

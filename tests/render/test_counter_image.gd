@@ -23,7 +23,7 @@ func test_order_1_moves_against_order_0() -> void:
 	var counter: PackedFloat64Array = []
 	for height in heights:
 		var view := _view(Vector3(0.0, height, 10.0))
-		var picture: Image = await _show(view, [star])
+		var picture: Image = await _photograph(view, [star])
 		direct.append(_place(picture, view, star, 0).y)
 		counter.append(_place(picture, view, star, 1).y)
 	gut.p("order 0 at y = %s, order 1 at y = %s" % [direct, counter])
@@ -42,7 +42,7 @@ func test_order_1_is_mirrored() -> void:
 		Vector3(0.33, 0.20, -1.0).normalized(),
 	]
 	var view := _view(Vector3(0.0, 0.0, 10.0))
-	var picture: Image = await _show(view, stars)
+	var picture: Image = await _photograph(view, stars)
 	var flat: PackedVector2Array = []
 	var direct: PackedVector2Array = []
 	var mirrored: PackedVector2Array = []
@@ -65,7 +65,7 @@ func _view(place: Vector3) -> ExactView:
 	return view
 
 
-func _show(view: ExactView, stars: Array[Vector3]) -> Image:
+func _photograph(view: ExactView, stars: Array[Vector3]) -> Image:
 	var magnitudes := PackedFloat32Array()
 	for star in stars:
 		# So bright that the fainter image, order 1, gets a sum of 1.

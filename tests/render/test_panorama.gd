@@ -9,6 +9,7 @@ const PIXELS: int = 80
 ## Pixels that see more of the sky than this are smeared by the filter, as they should be.
 const WIDEST_FOOTPRINT: float = 0.01
 const WIDTH: int = 512
+const HEIGHT: int = 256
 
 var _booth: SkyBooth
 var _rng := RandomNumberGenerator.new()
@@ -37,7 +38,7 @@ func before_each() -> void:
 
 
 func test_rays_end_where_the_exact_solution_says(p: Array = use_parameters(OBSERVERS)) -> void:
-	var view := ExactView.new(_direction() * (p[1] as float), p[0] as int)
+	var view := ExactView.new(_direction() * p[1], p[0])
 	view.look_beside(view.shadow_half_angle() + 0.3, _direction(), _rng.randf() * TAU)
 	_booth.aim(view)
 	var picture: Image = await _booth.take()
@@ -165,8 +166,8 @@ func _direction() -> Vector3:
 ## directions: (d + 1) / 2.
 func _directions_as_colours() -> ImageTexture:
 	var floats := PackedFloat32Array()
-	for row in WIDTH / 2:
-		var declination := PI * (0.5 - (row + 0.5) / (0.5 * WIDTH))
+	for row in HEIGHT:
+		var declination := PI * (0.5 - (row + 0.5) / HEIGHT)
 		for column in WIDTH:
 			var right_ascension := TAU * (0.25 - (column + 0.5) / WIDTH)
 			var flat := cos(declination)
@@ -174,7 +175,7 @@ func _directions_as_colours() -> ImageTexture:
 			floats.append(0.5 + 0.5 * sin(declination))
 			floats.append(0.5 - 0.5 * flat * sin(right_ascension))
 	var image := Image.create_from_data(
-		WIDTH, WIDTH / 2, false, Image.FORMAT_RGBF, floats.to_byte_array()
+		WIDTH, HEIGHT, false, Image.FORMAT_RGBF, floats.to_byte_array()
 	)
 	image.generate_mipmaps()
 	return ImageTexture.create_from_image(image)

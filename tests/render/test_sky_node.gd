@@ -97,7 +97,7 @@ func test_orders_of_images() -> void:
 
 
 func test_magnitude_limit() -> void:
-	var limit := _booth.sky.catalogue.get_star_magnitude(_field.targets.size() / 2)
+	var limit := _booth.sky.catalogue.get_star_magnitude(6)
 	_booth.sky.magnitude_limit = limit
 	var picture: Image = await _booth.take()
 	var shown := 0

@@ -41,9 +41,10 @@ func test_on_and_off_pixel_centres(sigma: float = use_parameters([0.7, 1.0, 3.0]
 	var view := ExactView.new(Vector3(3, 2, -4), STATIC)
 	view.look_beside(0.8, Vector3(1, 2, 0.5))
 	var field := StarField.new(view, _rng, 2.0 * sigma * sigma, 14.0 * sigma)
-	for i in 16:
-		var corner := Vector2(200 + 240 * (i % 4), 120 + 150 * (i / 4))
-		field.add_at(corner + Vector2(0.5, 0.5) + 0.25 * Vector2(i % 4, i / 4))
+	for row in 4:
+		for column in 4:
+			var offset := Vector2(0.5, 0.5) + 0.25 * Vector2(column, row)
+			field.add_at(Vector2(200 + 240 * column, 120 + 150 * row) + offset)
 	await _judge(view, field, 12, "sigma %s px" % sigma)
 
 
@@ -53,7 +54,7 @@ func test_resolutions_and_fields(
 	)
 ) -> void:
 	var view := ExactView.new(Vector3(3, 2, -4), STATIC)
-	view.size = Vector2i(p[0] as int, p[1] as int)
+	view.size = Vector2i(p[0], p[1])
 	view.vertical_fov_deg = p[2]
 	view.look_beside(1.1, Vector3(1, 2, 0.5))
 	var field := StarField.new(view, _rng, 2.0)
@@ -64,7 +65,7 @@ func test_resolutions_and_fields(
 func test_observers(
 	p: Array = use_parameters([[STATIC, 1.2], [STATIC, 1e3], [RAIN, 3.0], [RAIN, 1.0], [RAIN, 0.3]])
 ) -> void:
-	var view := ExactView.new(Vector3(-0.48, 0.64, 0.6) * (p[1] as float), p[0] as int)
+	var view := ExactView.new(Vector3(-0.48, 0.64, 0.6) * p[1], p[0])
 	view.look_beside(view.shadow_half_angle() + 0.2, Vector3(1, 2, 0.5))
 	var field := StarField.new(view, _rng, 2.0)
 	field.add(1, 5)

@@ -62,13 +62,13 @@ func test_damaged_tables_are_refused(
 ) -> void:
 	var bytes := FileAccess.get_file_as_bytes(COMMITTED)
 	if p[0] >= 0:
-		bytes = bytes.slice(0, p[0] as int)
+		bytes = bytes.slice(0, p[0])
 	if p[1] >= 0:
-		bytes[p[1] as int] ^= 0x15
+		bytes[p[1]] ^= 0x15
 	var path := _folder.write_bytes("damaged.lut", bytes)
 	assert_eq(_table.load_file(path), ERR_FILE_CORRUPT)
 	assert_push_error(path)
-	for words: String in [path, p[2] as String, "./run bake"]:
+	for words: String in [path, p[2], "./run bake"]:
 		assert_string_contains(_table.get_error_message(), words)
 	assert_false(_table.is_ready())
 	assert_signal_not_emitted(_table, "changed")

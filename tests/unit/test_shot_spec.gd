@@ -162,7 +162,7 @@ func test_refusals_name_the_key(
 	)
 ) -> void:
 	var data := {"position_rs": [0, 0, 10], p[0]: p[1]}
-	assert_string_contains(ShotSpec.from_data(data).error, p[2] as String)
+	assert_string_contains(ShotSpec.from_data(data).error, p[2])
 
 
 func test_a_place_is_required() -> void:

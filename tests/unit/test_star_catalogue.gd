@@ -30,7 +30,7 @@ func test_the_brightest_comes_first() -> void:
 func test_counts_to_a_magnitude(
 	p: Array = use_parameters([[-2.0, 0], [6.0, 5044], [6.5, 8874], [8.0, 41411], [10.0, 108003]])
 ) -> void:
-	assert_eq(_stars.count_to_magnitude(p[0] as float), p[1])
+	assert_eq(_stars.count_to_magnitude(p[0]), p[1])
 
 
 func test_well_known_stars(
@@ -46,12 +46,12 @@ func test_well_known_stars(
 		]
 	)
 ) -> void:
-	var i := _stars.find_hip(p[0] as int)
+	var i := _stars.find_hip(p[0])
 	assert_gte(i, 0)
 	assert_eq(_stars.get_star_hip(i), p[0])
-	assert_almost_eq(_stars.get_star_magnitude(i), p[1] as float, 1e-5)
-	assert_almost_eq(_stars.get_star_color_index(i), p[2] as float, 1e-5)
-	assert_almost_eq(_stars.get_star_parallax(i), p[3] as float, 1e-3)
+	assert_almost_eq(_stars.get_star_magnitude(i), p[1], 1e-5)
+	assert_almost_eq(_stars.get_star_color_index(i), p[2], 1e-5)
+	assert_almost_eq(_stars.get_star_parallax(i), p[3], 1e-3)
 
 
 func test_directions() -> void:
