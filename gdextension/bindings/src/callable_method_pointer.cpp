@@ -21,7 +21,8 @@ void call(void *userdata, const GDExtensionConstVariantPtr *values, GDExtensionI
 		error->expected = wanted;
 		return;
 	}
-	if (api.object_get_instance_from_id(method.id()) == nullptr) {
+	Wrapped *object = wrapper_of(api.object_get_instance_from_id(method.id()));
+	if (object == nullptr) {
 		error->error = GDEXTENSION_CALL_ERROR_INSTANCE_IS_NULL;
 		return;
 	}
@@ -36,7 +37,7 @@ void call(void *userdata, const GDExtensionConstVariantPtr *values, GDExtensionI
 		return;
 	}
 	error->error = GDEXTENSION_CALL_OK;
-	method.invoke(arguments.data(), *static_cast<Variant *>(result));
+	method.invoke(*object, arguments.data(), *static_cast<Variant *>(result));
 }
 
 GDExtensionBool is_valid(void *userdata) {

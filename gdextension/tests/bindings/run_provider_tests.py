@@ -90,7 +90,7 @@ def prepare_project(options: Options, library: Path) -> Path:
     shutil.rmtree(project, ignore_errors=True)
     shutil.copytree(HERE / "project", project)
     (project / "probe.gdextension").write_text(
-        '[configuration]\nentry_symbol = "probe_init"\ncompatibility_minimum = "4.6"\n\n'
+        '[configuration]\nentry_symbol = "probe_init"\ncompatibility_minimum = "4.6"\nreloadable = true\n\n'
         f'[libraries]\nlinux.x86_64 = "{library}"\nlinux.arm64 = "{library}"\n',
         encoding="utf-8",
     )
@@ -99,7 +99,7 @@ def prepare_project(options: Options, library: Path) -> Path:
     return project
 
 
-def sanitizer_environment(build_dir: Path) -> dict[str, str]:
+def sanitizer_environment(build_dir: Path, find_leaks: bool) -> dict[str, str]:
     """What lets an engine that is not sanitized itself load a sanitized extension.
 
     The engine opens extensions with RTLD_DEEPBIND, which the sanitizer refuses; a small library in front takes
@@ -116,18 +116,20 @@ def sanitizer_environment(build_dir: Path) -> dict[str, str]:
     common = f"log_path={build_dir / 'sanitizer.log'}:exitcode={SANITIZER_EXIT}"
     return {
         "LD_PRELOAD": ":".join([str(shim), *runtimes]),
-        "ASAN_OPTIONS": f"{common}:detect_leaks=1:verify_asan_link_order=0:handle_segv=1",
+        "ASAN_OPTIONS": f"{common}:detect_leaks={int(find_leaks)}:verify_asan_link_order=0",
         "UBSAN_OPTIONS": f"{common}:halt_on_error=1:print_stacktrace=1",
     }
 
 
-def run_godot(options: Options, arguments: list[str], project: Path) -> tuple[int, str]:
+def run_godot(
+    options: Options, arguments: list[str], project: Path, find_leaks: bool = True
+) -> tuple[int, str]:
     """Runs headless Godot in the project; returns its exit status and output."""
     environment = dict(os.environ)
     environment["XDG_DATA_HOME"] = str(options.build_dir / "user")
     environment["XDG_CONFIG_HOME"] = str(options.build_dir / "config")
     if options.asan:
-        environment |= sanitizer_environment(options.build_dir)
+        environment |= sanitizer_environment(options.build_dir, find_leaks)
     command = [str(options.godot), "--headless", "--audio-driver", "Dummy", "--path", str(project), *arguments]
     try:
         done = subprocess.run(
@@ -178,15 +180,18 @@ def run_scripts(options: Options, project: Path) -> list[Result]:
 
 
 def run_editor(options: Options, project: Path) -> Result:
-    """The editor loads the extension, shows a configuration warning, and ends."""
+    """The editor loads the extension, shows its warnings and help, reloads it, and ends.
+
+    Leaks are not looked for: the engine itself leaks the argument types of each method when it reloads a library.
+    """
     result = Result("process", "editor_loads_the_extension")
     started = time.monotonic()
-    status, output = run_godot(options, ["--editor", "res://editor/probe_scene.tscn"], project)
+    status, output = run_godot(options, ["--editor", "--quit-after", "3000"], project, find_leaks=False)
     result.seconds = time.monotonic() - started
-    if "EDITOR CHECKS PASSED" not in output:
+    if status != 0 or "EDITOR CHECKS PASSED" not in output or "ERROR:" in output:
         result.failures.append(f"exit status {status}:\n{output[-4000:]}")
-    if "Parsing of the XML" in output or "Parse error" in output:
-        result.failures.append(output[-4000:])
+    if options.asan and (report := sanitizer_report(options.build_dir)):
+        result.failures.append(report[:8000])
     return result
 
 
@@ -249,10 +254,9 @@ def main() -> int:
     try:
         project = prepare_project(options, build(options))
         results = run_scripts(options, project)
+        results.append(run_editor(options, project))
         if options.asan:
             results.append(run_leak(options, project))
-        else:
-            results.append(run_editor(options, project))
     except SetUpError as error:
         print(f"{name}: {error}", file=sys.stderr)
         return 2

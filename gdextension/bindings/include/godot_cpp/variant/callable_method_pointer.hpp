@@ -10,7 +10,8 @@
 namespace godot {
 namespace internal {
 
-// A method of a living object, as the engine sees it.
+// A method of a living object, as the engine sees it. It keeps the object's id, not its address: reloading
+// the library gives the object a new C++ instance.
 class MethodCallable {
 public:
 	explicit MethodCallable(const Object *object) : id_(api.object_get_instance_id(object->_owner)) {}
@@ -22,7 +23,7 @@ public:
 	// Index of the first argument that does not fit, or -1.
 	virtual int first_misfit(const Variant *const *arguments) const = 0;
 	virtual Variant::Type argument_type(int index) const = 0;
-	virtual void invoke(const Variant *const *arguments, Variant &result) const = 0;
+	virtual void invoke(Wrapped &object, const Variant *const *arguments, Variant &result) const = 0;
 	virtual bool same_as(const MethodCallable &other) const = 0;
 
 	GDObjectInstanceID id() const { return id_; }
@@ -37,8 +38,8 @@ Callable make_callable(std::unique_ptr<MethodCallable> method);
 template <class Class, class Function, class Return, class... Arguments>
 class TypedMethodCallable : public MethodCallable {
 public:
-	TypedMethodCallable(Class *object, Function function)
-			: MethodCallable(object), object_(object), function_(function) {}
+	TypedMethodCallable(const Object *object, Function function)
+			: MethodCallable(object), function_(function) {}
 
 	int argument_count() const override { return static_cast<int>(sizeof...(Arguments)); }
 	int first_misfit(const Variant *const *arguments) const override {
@@ -49,21 +50,21 @@ public:
 				Marshal<Plain<Arguments>>::kType...};
 		return types[static_cast<std::size_t>(index)];
 	}
-	void invoke(const Variant *const *arguments, Variant &result) const override {
+	void invoke(Wrapped &object, const Variant *const *arguments, Variant &result) const override {
+		Class *instance = static_cast<Class *>(&object);
 		call_with_variants<Return, Arguments...>(
 				arguments, result,
-				[this](auto &&...values) -> Return {
-					return (object_->*function_)(std::forward<decltype(values)>(values)...);
+				[instance, this](auto &&...values) -> Return {
+					return (instance->*function_)(std::forward<decltype(values)>(values)...);
 				},
 				std::index_sequence_for<Arguments...>());
 	}
 	bool same_as(const MethodCallable &other) const override {
 		const auto *typed = dynamic_cast<const TypedMethodCallable *>(&other);
-		return typed != nullptr && typed->object_ == object_ && typed->function_ == function_;
+		return typed != nullptr && typed->id() == id() && typed->function_ == function_;
 	}
 
 private:
-	Class *object_;
 	Function function_;
 };
 
