@@ -67,7 +67,7 @@ void StarLayer::ensure_materials() {
 	sprite = make_sprite_mesh(server);
 	for (int order = 0; order < kMaxOrders; ++order) {
 		const RID material = server->material_create();
-		server->material_set_render_priority(material, kRenderPriority);
+		server->material_set_render_priority(material, kRenderPriority + order);
 		server->material_set_param(material, "_order", order);
 		materials[static_cast<std::size_t>(order)] = material;
 	}

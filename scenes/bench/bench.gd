@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: MIT
+extends SceneTree
+## Command line: times drawing, the node's own work and loading, and writes the figures as JSON.
+##
+##     godot --path . --rendering-method R -s res://scenes/bench/bench.gd -- OUT.json
+##
+## `./run bench` adds what is measured outside of the engine and prints the table.
+
+
+func _initialize() -> void:
+	_run.call_deferred()
+
+
+func _run() -> void:
+	var arguments := OS.get_cmdline_user_args()
+	if arguments.size() != 1:
+		printerr("bench: give the output file.")
+		quit(2)
+		return
+	DisplayServer.window_set_vsync_mode(DisplayServer.VSYNC_DISABLED)
+	Engine.max_fps = 0
+	root.disable_3d = true
+	var stage := BenchStage.new()
+	root.add_child(stage)
+	var panorama := BenchPanorama.find()
+	var missing := stage.dress(panorama.texture, panorama.luminance)
+	if not missing.is_empty():
+		_fail(missing)
+		return
+	var figures := {
+		"renderer": RenderingServer.get_current_rendering_method(),
+		"device": RenderingServer.get_video_adapter_name(),
+		"device_vendor": RenderingServer.get_video_adapter_vendor(),
+		"device_api": RenderingServer.get_video_adapter_api_version(),
+		"processor": OS.get_processor_name(),
+		"processor_threads": OS.get_processor_count(),
+		"godot": Engine.get_version_info()["string"],
+		"resolution": [BenchStage.SIZE.x, BenchStage.SIZE.y],
+		"panorama": panorama.name,
+	}
+	figures["catalogue_load_ms"] = NodeTimes.catalogue_load_ms()
+	figures.merge(await NodeTimes.update_ms(stage))
+	figures.merge(await _gpu_times(stage))
+	figures["march_picture"] = await MarchCheck.compare(stage)
+	var file := FileAccess.open(arguments[0], FileAccess.WRITE)
+	if file == null or not file.store_string(JSON.stringify(figures, "\t", false, true) + "\n"):
+		_fail("%s cannot be written. Check folder and disk." % arguments[0])
+		return
+	file.close()
+	quit(0)
+
+
+func _gpu_times(stage: BenchStage) -> Dictionary:
+	var sampler := GpuSampler.new(stage)
+	var quick: Array[BenchStage.Picture] = []
+	for picture: BenchStage.Picture in BenchStage.Picture.values():
+		if picture != BenchStage.Picture.MARCH_1000:
+			quick.append(picture)
+	await sampler.measure(quick)
+	await sampler.measure([BenchStage.Picture.MARCH_1000])
+	var raw := {}
+	var net := {}
+	var samples := {}
+	for key: String in BenchStage.Picture:
+		var picture: BenchStage.Picture = BenchStage.Picture[key]
+		var name := key.to_lower()
+		raw[name] = sampler.least[picture]
+		samples[name] = sampler.counts[picture]
+		net[name] = sampler.least[picture]
+		if picture != BenchStage.Picture.EMPTY:
+			net[name] = maxf(sampler.least[picture] - sampler.least[BenchStage.Picture.EMPTY], 0.0)
+	return {"gpu_ms": net, "gpu_ms_with_empty_frame": raw, "gpu_samples": samples}
+
+
+func _fail(reason: String) -> void:
+	printerr("bench: %s" % reason)
+	quit(1)

@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: MIT
+class_name GpuSampler
+extends RefCounted
+## Times how long the graphics device draws each of several pictures, taking turns, so that what
+## slows the machine for a while slows them all. The least of many samples is what a picture costs.
+
+## A measured time belongs to a frame some frames back: a turn's first frames still report the
+## previous picture.
+const FRAMES_PER_TURN: int = 16
+const FRAMES_USED: int = 4
+const SAMPLES: int = 52
+## A picture so slow that all its samples would take longer than this is sampled less often.
+const SLOW_PICTURE_MS: float = 90000.0
+const FEWEST_SAMPLES: int = 4
+
+## Least time of each picture, milliseconds, and the number of samples it comes from.
+var least: PackedFloat64Array = []
+var counts: PackedInt64Array = []
+
+var _stage: BenchStage
+var _viewport: RID
+
+
+func _init(stage: BenchStage) -> void:
+	_stage = stage
+	_viewport = stage.viewport.get_viewport_rid()
+	RenderingServer.viewport_set_measure_render_time(_viewport, true)
+	least.resize(BenchStage.Picture.size())
+	least.fill(INF)
+	counts.resize(BenchStage.Picture.size())
+
+
+## Takes turns over `pictures` until each has its samples.
+func measure(pictures: Array[BenchStage.Picture], samples: int = SAMPLES) -> void:
+	while true:
+		var waiting := pictures.filter(_wants_samples.bind(samples))
+		if waiting.is_empty():
+			return
+		for picture: BenchStage.Picture in waiting:
+			await _take_turn(picture)
+
+
+func _wants_samples(picture: BenchStage.Picture, samples: int) -> bool:
+	var enough := samples
+	if counts[picture] > 0:
+		enough = clampi(floori(SLOW_PICTURE_MS / least[picture]), FEWEST_SAMPLES, samples)
+	return counts[picture] < enough
+
+
+func _take_turn(picture: BenchStage.Picture) -> void:
+	_stage.show_picture(picture)
+	for frame in FRAMES_PER_TURN:
+		await RenderingServer.frame_post_draw
+		if frame >= FRAMES_PER_TURN - FRAMES_USED:
+			least[picture] = minf(
+				least[picture], RenderingServer.viewport_get_measured_render_time_gpu(_viewport)
+			)
+			counts[picture] += 1
