@@ -7,7 +7,7 @@ import argparse
 import json
 from pathlib import Path
 
-from setup import bench_parts, paths, prepare, session
+from setup import bench_parts, bench_report, paths, prepare, session
 from setup.console import Failure, say
 
 SCRIPT = "res://scenes/bench/bench.gd"
@@ -36,8 +36,12 @@ def run(arguments: list[str]) -> int:
     say(f"Measuring the pictures ({chosen.renderer}); this takes some minutes without a graphics card")
     session.run_script(godot, SCRIPT, chosen.renderer, [str(out)])
     figures |= json.loads(out.read_text(encoding="utf-8"))
+    bench_report.check(figures)
+    held = bench_report.limits(figures)
+    figures["limits"] = held
     out.write_text(json.dumps(figures, indent=2) + "\n", encoding="utf-8")
-    print("\n".join(table(figures)))
+    del figures["limits"]
+    print("\n".join([*table(figures), "", *bench_report.lines(held), ""]))
     print(out)
     return 0
 

@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: MIT
+"""What the figures of ./run bench mean: which there must be, what is to be compared, and the limits."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+
+from setup.console import Failure
+
+Figures = Mapping[str, object]
+
+PICTURES = (
+    "empty", "plain_stars", "lensed_stars_1", "lensed_stars_2", "plain_panorama", "lensed_panorama", "march_1000",
+)
+_NUMBERS = (
+    "exact_phi_per_s", "bake_tables_s", "node_update_ms", "catalogue_load_ms", "first_frame_ms",
+    "first_frame_empty_project_ms",
+)
+_TEXTS = ("renderer", "device", "godot")
+# Limits of figures, and of quotients of drawing times: at most so much, or (march) at least.
+_AT_MOST = {"bake_tables_s": 0.5, "node_update_ms": 0.1, "catalogue_load_ms": 40.0}
+_QUOTIENTS = {
+    "lensed_stars_1_to_plain": ("lensed_stars_1", "plain_stars", 1.5),
+    "lensed_stars_2_to_plain": ("lensed_stars_2", "plain_stars", 2.0),
+    "lensed_panorama_to_plain": ("lensed_panorama", "plain_panorama", 2.5),
+}
+_MARCH = ("march_1000_to_lensed_panorama", 30.0)
+# The marched picture counts as the lensed one when 99 % of its pixels differ by less than this part of the mean.
+_SAME_PICTURE = 0.1
+
+
+def check(figures: Figures) -> None:
+    """A Failure that names what is missing or no figure."""
+    times = figures.get("gpu_ms")
+    pictures = times if isinstance(times, Mapping) else {}
+    wrong = [key for key in _NUMBERS if not _is_figure(figures.get(key))]
+    wrong += [f"gpu_ms.{picture}" for picture in PICTURES if not _is_figure(pictures.get(picture))]
+    wrong += [key for key in _TEXTS if not isinstance(figures.get(key), str)]
+    if wrong:
+        raise Failure(f"bench: not measured: {', '.join(wrong)}. Measure again on a quieter machine.")
+
+
+def limits(figures: Figures) -> dict[str, dict[str, object]]:
+    """Each compared figure with its limit and whether it is met."""
+    times = figures["gpu_ms"]
+    assert isinstance(times, Mapping)
+    result = {key: _held(_number(figures[key]), limit) for key, limit in _AT_MOST.items()}
+    for name, (picture, plain, limit) in _QUOTIENTS.items():
+        result[name] = _held(_quotient(times[picture], times[plain]), limit)
+    name, least = _MARCH
+    value = _quotient(times["march_1000"], times["lensed_panorama"])
+    result[name] = {"value": value, "at_least": least, "met": value >= least}
+    compared = figures.get("march_picture")
+    if isinstance(compared, Mapping):
+        result["march_picture_difference"] = _held(_number(compared["p99_difference"]), _SAME_PICTURE)
+    return result
+
+
+def lines(held: Mapping[str, Mapping[str, object]]) -> list[str]:
+    """The comparison as a table."""
+    result = [f"{'held against limits':<40}{'value':>10}  {'limit':<12}"]
+    for name, entry in held.items():
+        bound = f"<= {entry['at_most']:g}" if "at_most" in entry else f">= {entry['at_least']:g}"
+        result.append(f"{name:<40}{_number(entry['value']):>10.4g}  {bound:<12}{'' if entry['met'] else 'NOT MET'}".rstrip())
+    return result
+
+
+def _held(value: float, limit: float) -> dict[str, object]:
+    return {"value": value, "at_most": limit, "met": value <= limit}
+
+
+def _quotient(time: object, of: object) -> float:
+    return _number(time) / max(_number(of), 1e-6)
+
+
+def _number(value: object) -> float:
+    assert isinstance(value, (int, float))
+    return float(value)
+
+
+def _is_figure(value: object) -> bool:
+    return isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value) and value >= 0.0

@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: MIT
+import math
+import unittest
+
+from setup import bench_report
+from setup.console import Failure
+
+
+def _figures() -> dict[str, object]:
+    return {
+        "exact_phi_per_s": 3e6, "bake_tables_s": 0.1, "node_update_ms": 0.05, "catalogue_load_ms": 12.0,
+        "first_frame_ms": 900.0, "first_frame_empty_project_ms": 500.0,
+        "renderer": "mobile", "device": "a device", "godot": "4.6.3",
+        "gpu_ms": {
+            "empty": 1.0, "plain_stars": 40.0, "lensed_stars_1": 50.0, "lensed_stars_2": 90.0, "plain_panorama": 20.0,
+            "lensed_panorama": 40.0, "march_1000": 4000.0,
+        },
+    }
+
+
+class Report(unittest.TestCase):
+    def test_complete_figures_pass(self) -> None:
+        bench_report.check(_figures())
+
+    def test_what_is_missing_or_no_number_is_named(self) -> None:
+        figures = _figures()
+        del figures["node_update_ms"]
+        figures["bake_tables_s"] = math.nan
+        times = figures["gpu_ms"]
+        assert isinstance(times, dict)
+        times["empty"] = math.inf
+        del times["march_1000"]
+        with self.assertRaises(Failure) as caught:
+            bench_report.check(figures)
+        for name in ("node_update_ms", "bake_tables_s", "gpu_ms.empty", "gpu_ms.march_1000"):
+            self.assertIn(name, str(caught.exception))
+        self.assertNotIn("gpu_ms.plain_stars", str(caught.exception))
+
+    def test_no_pictures_at_all(self) -> None:
+        figures = _figures()
+        figures["gpu_ms"] = None
+        with self.assertRaisesRegex(Failure, "gpu_ms.plain_stars"):
+            bench_report.check(figures)
+
+    def test_limits(self) -> None:
+        held = bench_report.limits(_figures())
+        self.assertEqual(held["lensed_stars_2_to_plain"], {"value": 2.25, "at_most": 2.0, "met": False})
+        self.assertEqual(held["march_1000_to_lensed_panorama"], {"value": 100.0, "at_least": 30.0, "met": True})
+        self.assertEqual(held["node_update_ms"], {"value": 0.05, "at_most": 0.1, "met": True})
+        self.assertNotIn("march_picture_difference", held)
+
+    def test_a_wrong_marched_picture_is_told(self) -> None:
+        held = bench_report.limits({**_figures(), "march_picture": {"median_difference": 0.0, "p99_difference": 0.5}})
+        self.assertFalse(held["march_picture_difference"]["met"])
+
+    def test_the_table_shows_what_is_not_met(self) -> None:
+        printed = bench_report.lines(bench_report.limits(_figures()))
+        missed = [line.split()[0] for line in printed if line.endswith("NOT MET")]
+        self.assertEqual(missed, ["lensed_stars_2_to_plain"])
