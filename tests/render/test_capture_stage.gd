@@ -51,6 +51,27 @@ func test_stars_of_a_csv_file(lensing: bool = use_parameters([true, false])) -> 
 		assert_almost_eq(light, target.sum, 0.02 * target.sum, "light")
 
 
+func test_light_survives_the_exr_file() -> void:
+	if not SkyBooth.is_linear():
+		pending("the Compatibility renderer has no linear light to write")
+		return
+	var view := ExactView.new(Vector3(3, 2, -4), LensingTable.MOTION_STATIC)
+	view.look_along(ExactView.doubled(Vector3(1.2, 1.5, 3.0)), Vector3.UP)
+	var field := StarField.new(view, _dice(), 40.0, 30.0)
+	field.add(0, 8)
+	var stars := {
+		"catalogue": _csv("bright.csv", field), "magnitude_limit": 99, "psf_sigma_px": 2.0
+	}
+	var data := {"position_rs": [3, 2, -4], "look_at_rs": [4.2, 3.5, -1.0], "stars": stars}
+	var picture := await _take(_spec(data))
+	assert_eq(picture.save_exr(FOLDER.path_join("light.exr")), OK)
+	var read := Image.load_from_file(FOLDER.path_join("light.exr"))
+	assert_gte(field.targets.size(), 4, "stars to measure")
+	for target in field.targets:
+		var light := PicturePatch.light(read, target.pixel, 12)
+		assert_almost_eq(light, target.sum, 0.02 * target.sum, "light brighter than white")
+
+
 func test_narrow_field_far_away() -> void:
 	var view := ExactView.new(Vector3(0, 6000, 8000), LensingTable.MOTION_RAIN)
 	view.vertical_fov_deg = 0.3
