@@ -190,7 +190,7 @@ class _ClassPicker:
         for method in picked.methods:
             for type_name in _types_of(method):
                 needed = referenced_class(type_name)
-                if needed in self._available:
+                if needed is not None and needed in self._available:
                     self._pick(needed)
 
 

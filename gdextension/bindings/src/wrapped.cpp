@@ -39,27 +39,28 @@ StringName parent_class(const StringName &name) {
 	return call_method<StringName>(method, class_db, name);
 }
 
+// How objects of class `name` are wrapped; null when the class is not listed.
+const GDExtensionInstanceBindingCallbacks *known_callbacks(const StringName &name) {
+	const std::lock_guard lock(registry().mutex);
+	const auto found = registry().callbacks.find(name.identity());
+	return found == registry().callbacks.end() ? nullptr : found->second;
+}
+
+// How an object is wrapped: as the nearest listed class of its ancestors.
 const GDExtensionInstanceBindingCallbacks *callbacks_of(GDExtensionObjectPtr object) {
 	StringName name;
-	if (api.object_get_class_name(object, library, name._native_ptr()) == 0) {
-		name = Object::get_class_static();
-	}
-	const std::lock_guard lock(registry().mutex);
-	auto &known = registry().callbacks;
+	api.object_get_class_name(object, library, name._native_ptr());
 	const StringName asked = name;
-	auto found = known.find(name.identity());
-	while (found == known.end()) {
-		name = parent_class(name);
-		if (name == StringName()) {
-			name = Object::get_class_static(); // always listed
-		}
-		found = known.find(name.identity());
+	const GDExtensionInstanceBindingCallbacks *callbacks = known_callbacks(name);
+	while (callbacks == nullptr) {
+		name = name == StringName() ? Object::get_class_static()
+									: parent_class(name); // Object is always listed
+		callbacks = known_callbacks(name);
 	}
 	if (asked != name) {
-		registry().names.push_back(asked);
-		known.emplace(asked.identity(), found->second);
+		register_engine_class(asked, callbacks); // answers at once the next time
 	}
-	return found->second;
+	return callbacks;
 }
 
 } // namespace

@@ -205,6 +205,25 @@ def run_leak(options: Options, project: Path) -> Result:
     return result
 
 
+def run_surface(options: Options) -> Result:
+    """The sources stay on the surface (test_surface.py)."""
+    result = Result("surface", "sources_stay_on_it")
+    api = options.build_dir / "bindings" / "api" / "extension_api.json"
+    started = time.monotonic()
+    done = subprocess.run(
+        [sys.executable, str(HERE / "test_surface.py")],
+        env=dict(os.environ, GODOT_API=str(api)),
+        text=True,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        check=False,
+    )
+    result.seconds = time.monotonic() - started
+    if done.returncode != 0 or "OK" not in done.stdout:
+        result.failures.append(done.stdout[-6000:])
+    return result
+
+
 def write_junit(path: Path, name: str, results: list[Result]) -> None:
     suite = ElementTree.Element(
         "testsuite",
@@ -255,6 +274,8 @@ def main() -> int:
         project = prepare_project(options, build(options))
         results = run_scripts(options, project)
         results.append(run_editor(options, project))
+        if options.godot_cpp_dir is None:
+            results.append(run_surface(options))
         if options.asan:
             results.append(run_leak(options, project))
     except SetUpError as error:

@@ -8,7 +8,11 @@
 #include <type_traits>
 #include <utility>
 
+#ifdef _WIN32
+#define GDE_EXPORT __declspec(dllexport)
+#else
 #define GDE_EXPORT __attribute__((visibility("default")))
+#endif
 
 #define likely(condition) __builtin_expect(!!(condition), 1)
 #define unlikely(condition) __builtin_expect(!!(condition), 0)
