@@ -28,7 +28,9 @@ def render(model: Model) -> dict[str, str]:
         name = snake_case(builtin.name)
         if builtin.is_hand_written:
             continue
-        files[f"include/godot_provider/generated/{name}_methods.hpp"] = emit_builtins.methods_header(model, builtin)
+        files[f"include/godot_provider/generated/{name}_methods.hpp"] = emit_builtins.methods_header(
+            model, builtin
+        )
         if builtin.is_packed:
             files[f"include/godot_cpp/variant/{name}.hpp"] = emit_builtins.packed_header(builtin)
     files["include/godot_provider/generated/value_types.hpp"] = emit_builtins.value_types(model)
@@ -56,7 +58,9 @@ def write(files: dict[str, str], out: Path) -> None:
 
 
 def main() -> int:
-    parser = argparse.ArgumentParser(prog="generator", description="Generates the subset of godot-cpp we use.")
+    parser = argparse.ArgumentParser(
+        prog="generator", description="Generates the subset of godot-cpp we use."
+    )
     parser.add_argument("--api", type=Path, required=True, help="extension_api.json of the engine")
     parser.add_argument("--surface", type=Path, required=True, help="surface.json: what to generate")
     parser.add_argument("--out", type=Path, required=True, help="output folder, owned by the generator")

@@ -45,13 +45,17 @@ class CppTypes:
         if type_name.startswith("enum::"):
             return type_name[len("enum::") :].replace(".", "::")
         if type_name.startswith("bitfield::"):
-            return f"BitField<{type_name[len('bitfield::'):].replace('.', '::')}>"
+            return f"BitField<{type_name[len('bitfield::') :].replace('.', '::')}>"
         if type_name.startswith("typedarray::"):
             element = type_name[len("typedarray::") :]
             return f"TypedArray<{self._element(element)}>"
         if type_name in self.model.classes:
-            return self._element(type_name) if self.model.classes[type_name].is_refcounted else f"{type_name} *"
-        raise SurfaceError(f"Type {type_name} is not on the surface; add it there, or drop the method that uses it.")
+            return (
+                self._element(type_name) if self.model.classes[type_name].is_refcounted else f"{type_name} *"
+            )
+        raise SurfaceError(
+            f"Type {type_name} is not on the surface; add it there, or drop the method that uses it."
+        )
 
     def parameter(self, argument: Argument) -> str:
         """The declaration of a parameter, without its default value."""
@@ -88,11 +92,13 @@ class CppTypes:
             text = text[1:]
         if text.startswith('"'):
             return text
-        if text in ("[]", "{}") or text.endswith("()") or text.endswith("([])"):
+        if text in ("[]", "{}") or text.endswith(("()", "([])")):
             return f"{self.value(type_name)}()"
         if re.fullmatch(r"\w+\([-0-9., e]+\)", text) and not text.startswith("Transform"):
             return text
-        raise SurfaceError(f"The default value {text} of type {type_name} has no C++ form yet; extend cpp_types.py.")
+        raise SurfaceError(
+            f"The default value {text} of type {type_name} has no C++ form yet; extend cpp_types.py."
+        )
 
     def classes_in(self, methods: list[Method]) -> list[str]:
         """The engine classes that the methods mention, sorted."""

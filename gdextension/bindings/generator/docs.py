@@ -7,8 +7,8 @@ Writes a source that carries the class descriptions into the library, for the ed
 from __future__ import annotations
 
 import sys
-import xml.etree.ElementTree as ElementTree
 from pathlib import Path
+from xml.etree import ElementTree
 
 _LINE = 2000  # bytes per string literal: compilers limit the length of one
 

@@ -87,16 +87,14 @@ def _bodies(types: CppTypes, builtin: BuiltinType, method: Method) -> list[str]:
     lookup = f'builtin_method({owner}::kVariantType, "{method.name}", {method.hash})'
     fetch = f"\tstatic const GDExtensionPtrBuiltInMethod method = {lookup};\n"
     if method.is_vararg:
-        return [
-            f"{returned} {owner}::_varargs_{method.name}(const Variant *values, std::size_t count) const {{\n{fetch}"
-            f"\treturn call_builtin_variants<{returned}>(method, _native_ptr(), values, count);\n}}\n"
-        ]
+        head = f"{returned} {owner}::_varargs_{method.name}(const Variant *values, std::size_t count) const"
+        call = f"call_builtin_variants<{returned}>(method, _native_ptr(), values, count)"
+        return [f"{head} {{\n{fetch}\treturn {call};\n}}\n"]
     self_pointer = "nullptr" if method.is_static else "_native_ptr()"
     arguments = "".join(f", p_{a.name}" for a in method.arguments)
-    bodies = [
-        f"{returned} {owner}::{method.name}({_signature(types, method, len(method.arguments))}){tail} {{\n{fetch}"
-        f"\treturn call_builtin<{returned}>(method, {self_pointer}{arguments});\n}}\n"
-    ]
+    head = f"{returned} {owner}::{method.name}({_signature(types, method, len(method.arguments))}){tail}"
+    call = f"call_builtin<{returned}>(method, {self_pointer}{arguments})"
+    bodies = [f"{head} {{\n{fetch}\treturn {call};\n}}\n"]
     for count in _overloads(method):
         given = [f"p_{a.name}" for a in method.arguments[:count]]
         given += [f"{types.value(a.type)}({types.default(a)})" for a in method.arguments[count:]]
@@ -111,7 +109,14 @@ def methods_source(model: Model) -> str:
     """The definitions of all methods of built-in types."""
     types = CppTypes(model)
     out = [BANNER, '#include "godot_cpp/variant/variant.hpp"', '#include "godot_provider/call.hpp"']
-    out += ['#include "godot_provider/marshal_object.hpp"', "", "namespace godot {", "", "namespace internal {", ""]
+    out += [
+        '#include "godot_provider/marshal_object.hpp"',
+        "",
+        "namespace godot {",
+        "",
+        "namespace internal {",
+        "",
+    ]
     for builtin in model.builtins.values():
         for method in builtin.methods:
             out += _bodies(types, builtin, method)

@@ -31,7 +31,9 @@ def _declaration(types: CppTypes, method: Method) -> str:
 
 def _virtual_declaration(types: CppTypes, method: Method) -> str:
     returned = types.returned(method)
-    parameters = ", ".join(types.parameter(a).replace(f"p_{a.name}", f"/*{a.name}*/") for a in method.arguments)
+    parameters = ", ".join(
+        types.parameter(a).replace(f"p_{a.name}", f"/*{a.name}*/") for a in method.arguments
+    )
     tail = " const" if method.is_const else ""
     body = "{}" if returned == "void" else "{ return {}; }"
     return f"virtual {_spaced(returned)}{method.name}({parameters}){tail} {body}"
@@ -69,8 +71,10 @@ def _register_virtuals(cls: EngineClass) -> str:
 
 def _enumeration(name: str, values: tuple[tuple[str, int], ...], indent: str) -> str:
     body = "".join(f"{indent}\t{value_name} = {value},\n" for value_name, value in values)
-    return f"{indent}enum {name} : std::int64_t {{\n{body}{indent}}};\n" if _is_wide(values) else (
-        f"{indent}enum {name} {{\n{body}{indent}}};\n"
+    return (
+        f"{indent}enum {name} : std::int64_t {{\n{body}{indent}}};\n"
+        if _is_wide(values)
+        else (f"{indent}enum {name} {{\n{body}{indent}}};\n")
     )
 
 
@@ -93,7 +97,9 @@ def header(model: Model, cls: EngineClass) -> str:
     parent = cls.parent or "Wrapped"
     includes = {f"godot_cpp/classes/{snake_case(parent)}.hpp", "godot_cpp/variant/typed_array.hpp"}
     includes |= {
-        f"godot_cpp/classes/{snake_case(name)}.hpp" for name in types.enum_owners_in(cls.methods) if name != cls.name
+        f"godot_cpp/classes/{snake_case(name)}.hpp"
+        for name in types.enum_owners_in(cls.methods)
+        if name != cls.name
     }
     out = [BANNER, "#pragma once\n"]
     out += [f'#include "{path}"' for path in sorted(includes)]
@@ -102,7 +108,11 @@ def header(model: Model, cls: EngineClass) -> str:
     out += [f"class {name};" for name in forward]
     out += ["namespace internal {", "template <class T, auto kFunction>"]
     out += ["void bind_virtual(const char *name, std::uint32_t hash);", "}", ""]
-    out += [f"class {cls.name} : public {parent} {{", f"\tGODOT_PROVIDER_ENGINE_CLASS({cls.name}, {parent})", ""]
+    out += [
+        f"class {cls.name} : public {parent} {{",
+        f"\tGODOT_PROVIDER_ENGINE_CLASS({cls.name}, {parent})",
+        "",
+    ]
     out += ["public:"]
     out += [_enumeration(enum.name, enum.values, "\t") for enum in cls.enums]
     out += [f"\tstatic constexpr int {name} = {value};" for name, value in cls.constants]

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-from .cpp_types import CppTypes
 from .emit_classes import BANNER, _enumeration, enum_name
 from .model import Method, Model, SurfaceError
 
@@ -21,7 +20,9 @@ def global_constants(model: Model) -> str:
 
 def _check(method: Method) -> None:
     if not method.is_vararg or method.return_type is not None:
-        raise SurfaceError(f"Utility function {method.name} returns a value: only printing ones are supported.")
+        raise SurfaceError(
+            f"Utility function {method.name} returns a value: only printing ones are supported."
+        )
 
 
 def utility_header(model: Model) -> str:
@@ -48,7 +49,12 @@ def utility_header(model: Model) -> str:
 
 def utility_source(model: Model) -> str:
     """The definitions of the utility functions."""
-    out = [BANNER, '#include "godot_cpp/variant/utility_functions.hpp"', '#include "godot_provider/call.hpp"', ""]
+    out = [
+        BANNER,
+        '#include "godot_cpp/variant/utility_functions.hpp"',
+        '#include "godot_provider/call.hpp"',
+        "",
+    ]
     out += ["namespace godot {", ""]
     for method in model.utility_functions:
         out.append(

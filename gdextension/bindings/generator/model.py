@@ -112,7 +112,8 @@ def _method(data: dict[str, Any]) -> Method:
         name=data["name"],
         hash=data.get("hash", 0),
         arguments=tuple(
-            Argument(a["name"], a["type"], a.get("meta"), a.get("default_value")) for a in data.get("arguments", [])
+            Argument(a["name"], a["type"], a.get("meta"), a.get("default_value"))
+            for a in data.get("arguments", [])
         ),
         return_type=returned.get("type", data.get("return_type")),
         return_meta=returned.get("meta"),

@@ -18,9 +18,9 @@ import shutil
 import subprocess
 import sys
 import time
-import xml.etree.ElementTree as ElementTree
 from dataclasses import dataclass, field
 from pathlib import Path
+from xml.etree import ElementTree
 
 HERE = Path(__file__).resolve().parent
 BINDINGS = HERE.parent.parent / "bindings"
@@ -55,7 +55,9 @@ class Options:
 def run_checked(command: list[str], what: str, cwd: Path | None = None) -> None:
     """Runs a build step; its output is shown only when it fails."""
     try:
-        done = subprocess.run(command, cwd=cwd, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
+        done = subprocess.run(
+            command, cwd=cwd, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False
+        )
     except FileNotFoundError as error:
         raise SetUpError(f"{what}: {error.filename} is not installed") from error
     if done.returncode != 0:
@@ -71,7 +73,13 @@ def build(options: Options) -> Path:
     if options.godot_cpp_dir is not None:
         options.build_dir.mkdir(parents=True, exist_ok=True)
         profile = options.build_dir / "build_profile.json"
-        make_profile = [sys.executable, "-m", "generator.build_profile", str(BINDINGS / "surface.json"), str(profile)]
+        make_profile = [
+            sys.executable,
+            "-m",
+            "generator.build_profile",
+            str(BINDINGS / "surface.json"),
+            str(profile),
+        ]
         run_checked(make_profile, "Writing the build profile", cwd=BINDINGS)
         command += [f"-DGODOT_CPP_DIR={options.godot_cpp_dir}", f"-DGODOTCPP_BUILD_PROFILE={profile}"]
     else:
@@ -106,7 +114,9 @@ def sanitizer_environment(build_dir: Path, find_leaks: bool) -> dict[str, str]:
     that flag away.
     """
     shim = build_dir / "libno_deepbind.so"
-    run_checked(["cc", "-shared", "-fPIC", "-o", str(shim), str(HERE / "no_deepbind.c"), "-ldl"], "Building the shim")
+    run_checked(
+        ["cc", "-shared", "-fPIC", "-o", str(shim), str(HERE / "no_deepbind.c"), "-ldl"], "Building the shim"
+    )
     runtimes = []
     for name in ("libasan.so", "libubsan.so"):
         found = subprocess.run(["cc", f"-print-file-name={name}"], text=True, capture_output=True, check=True)
@@ -130,7 +140,15 @@ def run_godot(
     environment["XDG_CONFIG_HOME"] = str(options.build_dir / "config")
     if options.asan:
         environment |= sanitizer_environment(options.build_dir, find_leaks)
-    command = [str(options.godot), "--headless", "--audio-driver", "Dummy", "--path", str(project), *arguments]
+    command = [
+        str(options.godot),
+        "--headless",
+        "--audio-driver",
+        "Dummy",
+        "--path",
+        str(project),
+        *arguments,
+    ]
     try:
         done = subprocess.run(
             command,
@@ -233,7 +251,11 @@ def write_junit(path: Path, name: str, results: list[Result]) -> None:
     )
     for result in results:
         case = ElementTree.SubElement(
-            suite, "testcase", classname=f"{name}.{result.suite}", name=result.name, time=f"{result.seconds:.4f}"
+            suite,
+            "testcase",
+            classname=f"{name}.{result.suite}",
+            name=result.name,
+            time=f"{result.seconds:.4f}",
         )
         if result.failures:
             failure = ElementTree.SubElement(case, "failure", message=result.failures[0].splitlines()[0])
@@ -244,11 +266,19 @@ def write_junit(path: Path, name: str, results: list[Result]) -> None:
 
 def parse(arguments: list[str]) -> tuple[Options, Path | None]:
     parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
-    parser.add_argument("--godot", type=Path, default=os.environ.get("GODOT"), help="Godot 4.6 or newer; else $GODOT")
-    parser.add_argument("--build-dir", type=Path, required=True, help="folder for the build and the test project")
-    parser.add_argument("--asan", action="store_true", help="with the address and undefined-behaviour sanitizers")
+    parser.add_argument(
+        "--godot", type=Path, default=os.environ.get("GODOT"), help="Godot 4.6 or newer; else $GODOT"
+    )
+    parser.add_argument(
+        "--build-dir", type=Path, required=True, help="folder for the build and the test project"
+    )
+    parser.add_argument(
+        "--asan", action="store_true", help="with the address and undefined-behaviour sanitizers"
+    )
     parser.add_argument("--godot-cpp-dir", type=Path, help="upstream godot-cpp instead of the provider")
-    parser.add_argument("--cmake-arg", action="append", default=[], help="passed on to cmake (may be repeated)")
+    parser.add_argument(
+        "--cmake-arg", action="append", default=[], help="passed on to cmake (may be repeated)"
+    )
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="parallel build steps")
     parser.add_argument("--junit", type=Path, help="file for the results in JUnit form")
     given = parser.parse_args(arguments)

@@ -23,14 +23,16 @@ from typing import Any
 BINDINGS = Path(__file__).resolve().parent.parent.parent / "bindings"
 sys.path.insert(0, str(BINDINGS))
 
-from generator.cpp_types import snake_case  # noqa: E402
+from generator.cpp_types import snake_case
 
 # Members that every class has by GDCLASS or by the bindings themselves.
 COMMON_MEMBERS = {"get_singleton", "get_class_static", "get_parent_class_static", "cast_to", "self_type"}
 # Names of engine classes that mean something else in C++: godot-cpp's ClassDB registers classes.
 OTHER_MEANING = {"ClassDB"}
 _NOISE = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])*\'', re.DOTALL)
-_INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]((?:godot_cpp|godot_provider)/[^>"]+|gdextension_interface\.h)[>"]', re.M)
+_INCLUDE = re.compile(
+    r'^\s*#\s*include\s*[<"]((?:godot_cpp|godot_provider)/[^>"]+|gdextension_interface\.h)[>"]', re.MULTILINE
+)
 _GODOT_MACRO = re.compile(
     r"\b((?:ADD|BIND|CRASH|DEV|ERR|GD|GDE|GDREGISTER|GDVIRTUAL|GODOT|MAKE|VARIANT|WARN)_[A-Z0-9_]+|"
     r"GDCLASS|GDEXTENSION_CLASS\w*|D_METHOD|DEFVAL)\b"
@@ -134,7 +136,9 @@ def declared_names(folders: list[Path]) -> set[str]:
 
 
 def source_files(folders: list[Path]) -> list[Path]:
-    return sorted(path for folder in folders for path in folder.rglob("*") if path.suffix in (".h", ".hpp", ".cpp"))
+    return sorted(
+        path for folder in folders for path in folder.rglob("*") if path.suffix in (".h", ".hpp", ".cpp")
+    )
 
 
 def check(api_path: Path, folders: list[Path], declaring: list[Path] | None = None) -> list[str]:
@@ -150,7 +154,9 @@ def check(api_path: Path, folders: list[Path], declaring: list[Path] | None = No
 def main() -> int:
     parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
     parser.add_argument("--api", type=Path, required=True, help="extension_api.json")
-    parser.add_argument("--declaring", type=Path, action="append", default=[], help="folder with names of our own")
+    parser.add_argument(
+        "--declaring", type=Path, action="append", default=[], help="folder with names of our own"
+    )
     parser.add_argument("folders", type=Path, nargs="+")
     given = parser.parse_args()
     found = check(given.api, given.folders, given.declaring)

@@ -15,13 +15,14 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from surface_check import BINDINGS, check, load_surface, violations
+HERE = Path(__file__).resolve().parent
+GDEXTENSION = HERE.parent.parent
+sys.path.insert(0, str(GDEXTENSION / "bindings"))
 
 from generator.__main__ import render
 from generator.model import SurfaceError, load
+from surface_check import BINDINGS, check, load_surface, violations
 
-HERE = Path(__file__).resolve().parent
-GDEXTENSION = HERE.parent.parent
 API = Path(os.environ.get("GODOT_API", ""))
 SURFACE = BINDINGS / "surface.json"
 
@@ -77,7 +78,7 @@ class TheGeneratorOffersTheSurface(unittest.TestCase):
         for name, wanted in classes.items():
             path = next(p for p, text in files.items() if f"class {name} : public" in text)
             body = files[path].split("class " + name + " : public")[1].split("\nnamespace internal {")[0]
-            declared = set(re.findall(r"^\t(?!\t)[^{};=]*?\b(\w+)\(", body, re.M)) - allowed
+            declared = set(re.findall(r"^\t(?!\t)[^{};=]*?\b(\w+)\(", body, re.MULTILINE)) - allowed
             declared = {method for method in declared if not method.startswith("_varargs_")}
             self.assertEqual(declared, set(wanted), name)
 
