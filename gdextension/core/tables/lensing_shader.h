@@ -29,7 +29,9 @@ struct Image {
 };
 struct RoughPlace {
 	glm::vec3 direction;
-	float error; ///< radians
+	float error;               ///< radians
+	float magnification_limit; ///< orders above 0
+	float redshift;
 };
 struct Sky {
 	bool captured;
@@ -47,8 +49,8 @@ glm::vec2 angle_of_ray(const Texture &forward, float u, float y);
 /// Image of a star in the observer's own frame.
 Image star_image(const Texture &inverse, glm::vec3 place, glm::vec3 star, int order, bool at_rest,
 		float angular_radius);
-/// About where that image is, and how far off it may be: by this the star layer leaves out what is not in the
-/// picture before it reads the table.
+/// About where that image is, how far off it may be and how large it is at most: by this the star layer
+/// leaves out what is not in the picture, or too faint, before it reads the table.
 RoughPlace rough_place(glm::vec3 place, glm::vec3 star, int order, bool at_rest);
 /// Where a viewing direction of the observer's own frame ends.
 Sky trace(const Texture &forward, glm::vec3 place, glm::vec3 view_direction, bool at_rest);

@@ -24,6 +24,10 @@ vec4 texelFetch(sampler2D p_sampler, ivec2 p_place, int /*p_lod*/) {
 
 #include "../addons/blackhole_sky/shaders/planck.gdshaderinc"
 
+float shifted_limit(float p_temperature, float p_g) {
+	return planck_shifted_limit(p_temperature, p_g);
+}
+
 } // namespace
 
 glm::vec4 planck_light(const std::vector<float> &p_texels, float p_temperature) {
@@ -32,6 +36,10 @@ glm::vec4 planck_light(const std::vector<float> &p_texels, float p_temperature) 
 
 glm::vec4 planck_shifted(const std::vector<float> &p_texels, float p_temperature, float p_g) {
 	return planck_shifted(sampler2D{p_texels}, p_temperature, p_g);
+}
+
+float planck_shifted_limit(float p_temperature, float p_g) {
+	return shifted_limit(p_temperature, p_g);
 }
 
 } // namespace blackhole::shader

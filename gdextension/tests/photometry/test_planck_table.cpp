@@ -80,6 +80,22 @@ TEST(PlanckTable, ShiftedLight) {
 	}
 }
 
+TEST(PlanckTable, TheQuickLimitIsNeverShort) {
+	const auto texels = bake_planck_table();
+	for (double temperature = 1200.0; temperature < 60000.0; temperature *= 1.1) {
+		for (double g = 0.1; g < 20.0; g *= 1.05) {
+			const double factor =
+					shader::planck_shifted(texels, static_cast<float>(temperature), static_cast<float>(g)).w;
+			const double limit =
+					shader::planck_shifted_limit(static_cast<float>(temperature), static_cast<float>(g));
+			EXPECT_GE(limit, factor * (1.0 - 1e-5)) << temperature << ' ' << g;
+		}
+		// Tight for the slight shifts of far observers.
+		EXPECT_LT(shader::planck_shifted_limit(static_cast<float>(temperature), 1.05F),
+				1.35F * shader::planck_shifted(texels, static_cast<float>(temperature), 1.05F).w);
+	}
+}
+
 TEST(PlanckTable, CppReadsItAsTheShaderDoes) {
 	const PlanckTable table;
 	for (const double temperature : {5.0, 300.0, 1900.0, 5772.0, 40000.0, 1e8}) {
