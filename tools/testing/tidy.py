@@ -13,6 +13,7 @@ from testing.context import complaint, each_file
 from testing.junit import Case
 
 FOLDERS = ("core", "src", "lut_cli")
+GCC_ONLY = ("-fno-gnu-unique",)
 
 
 def cases(build_folder: Path) -> list[Case]:
@@ -25,6 +26,7 @@ def cases(build_folder: Path) -> list[Case]:
     rules = (paths.ROOT / ".clang-tidy").read_text(encoding="utf-8")
     known = paths.cache_dir() / "clang-tidy"
     known.mkdir(parents=True, exist_ok=True)
+    database = _database_for_clang(build_folder)
 
     def check(path: Path) -> str:
         entry = entries[path]
@@ -32,7 +34,7 @@ def cases(build_folder: Path) -> list[Case]:
         key = fingerprint(version, rules, str(entry["command"]), inputs, build_folder)
         if (known / key).exists():
             return ""
-        wrong = complaint(["clang-tidy", "-p", build_folder, "--quiet", path])
+        wrong = complaint(["clang-tidy", "-p", database, "--quiet", path])
         if not wrong:
             (known / key).touch()
         return wrong
@@ -53,6 +55,17 @@ def fingerprint(version: str, rules: str, command: str, inputs: list[Path], buil
             content.update(b"gone")
     placeless = command.replace(str(build_folder), "BUILD").replace(str(paths.ROOT), "ROOT")
     return stamps.digest(version, rules, placeless, content.hexdigest())
+
+
+def _database_for_clang(build_folder: Path) -> Path:
+    """A folder with the compile commands less the options that only GCC knows."""
+    folder = build_folder / "clang-tidy"
+    folder.mkdir(exist_ok=True)
+    commands = (build_folder / "compile_commands.json").read_text(encoding="utf-8")
+    for option in GCC_ONLY:
+        commands = commands.replace(f" {option} ", " ")
+    (folder / "compile_commands.json").write_text(commands, encoding="utf-8")
+    return folder
 
 
 def _entries(build_folder: Path) -> dict[Path, dict[str, object]]:

@@ -84,8 +84,7 @@ const StringName &ClassDB::current_class() {
 }
 
 MethodBind *ClassDB::add_method(const StringName &class_name, const MethodDefinition &definition,
-		MethodBind *method, std::vector<Variant> defaults) {
-	std::unique_ptr<MethodBind> owned(method);
+		std::unique_ptr<MethodBind> method, std::vector<Variant> defaults) {
 	ClassEntry *entry = find_class(class_name);
 	ERR_FAIL_NULL_V_MSG(entry, nullptr,
 			String("Method ") + String(definition.name) + " is bound to the unregistered class " +
@@ -95,8 +94,8 @@ MethodBind *ClassDB::add_method(const StringName &class_name, const MethodDefini
 	method->_set_names(definition.name, definition.args);
 	method->_set_defaults(std::move(defaults));
 	method->_register(class_name);
-	entry->methods.push_back(std::move(owned));
-	return method;
+	entry->methods.push_back(std::move(method));
+	return entry->methods.back().get();
 }
 
 void ClassDB::_bind_virtual(const char *name, std::uint32_t hash, GDExtensionClassCallVirtual function) {

@@ -107,7 +107,7 @@ private:
 	static void end_class();
 	static const StringName &current_class();
 	static MethodBind *add_method(const StringName &class_name, const MethodDefinition &definition,
-			MethodBind *method, std::vector<Variant> defaults);
+			std::unique_ptr<MethodBind> method, std::vector<Variant> defaults);
 };
 
 namespace internal {

@@ -4,6 +4,7 @@
 #include "godot_cpp/core/binder_common.hpp"
 
 #include <array>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -151,18 +152,18 @@ private:
 };
 
 template <class Class, class Return, class... Arguments>
-MethodBind *make_method_bind(Return (Class::*function)(Arguments...)) {
-	return new TypedMethodBind<Class, decltype(function), Return, Arguments...>(
+std::unique_ptr<MethodBind> make_method_bind(Return (Class::*function)(Arguments...)) {
+	return std::make_unique<TypedMethodBind<Class, decltype(function), Return, Arguments...>>(
 			function, GDEXTENSION_METHOD_FLAGS_DEFAULT);
 }
 template <class Class, class Return, class... Arguments>
-MethodBind *make_method_bind(Return (Class::*function)(Arguments...) const) {
-	return new TypedMethodBind<Class, decltype(function), Return, Arguments...>(
+std::unique_ptr<MethodBind> make_method_bind(Return (Class::*function)(Arguments...) const) {
+	return std::make_unique<TypedMethodBind<Class, decltype(function), Return, Arguments...>>(
 			function, GDEXTENSION_METHOD_FLAGS_DEFAULT | GDEXTENSION_METHOD_FLAG_CONST);
 }
 template <class Return, class... Arguments>
-MethodBind *make_method_bind(Return (*function)(Arguments...)) {
-	return new TypedMethodBind<void, decltype(function), Return, Arguments...>(
+std::unique_ptr<MethodBind> make_method_bind(Return (*function)(Arguments...)) {
+	return std::make_unique<TypedMethodBind<void, decltype(function), Return, Arguments...>>(
 			function, GDEXTENSION_METHOD_FLAGS_DEFAULT | GDEXTENSION_METHOD_FLAG_STATIC);
 }
 
