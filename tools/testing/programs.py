@@ -59,7 +59,8 @@ def gut_stage(context: Context) -> list[Case]:
     godot = context.project
     command = [godot.executable, "--headless", "--path", paths.ROOT, "-s", "addons/gut/gut_cmdln.gd"]
     options = ["-gconfig=res://.gutconfig.json", "-gexit", f"-gjunit_xml_file={result_file('gut')}"]
-    return run_for_junit([*command, *options], "gut", 600, context.environment())
+    cases = run_for_junit([*command, *options], "gut", 600, context.environment())
+    return cases + _scripts_left_out("gut", "tests/unit", "tests/integration")
 
 
 def render_stage(context: Context, renderer: str) -> list[Case]:
@@ -73,7 +74,18 @@ def render_stage(context: Context, renderer: str) -> list[Case]:
         "-s", "addons/gut/gut_cmdln.gd", "-gconfig=", "-gdir=res://tests/render", "-ginclude_subdirs", "-gexit",
         f"-gjunit_xml_file={result_file(name)}",
     ])
-    return run_for_junit(command, name, 900, context.environment())
+    return run_for_junit(command, name, 900, context.environment()) + _scripts_left_out(name, "tests/render")
+
+
+def _scripts_left_out(name: str, *folders: str) -> list[Case]:
+    """A failed case for each test script of which the run reports nothing: a script that does not compile is passed by."""
+    result = Path(result_file(name))
+    reported = result.read_text(encoding="utf-8") if result.exists() else ""
+    scripts = [path for folder in folders for path in sources(".gd", under=folder) if path.name.startswith("test_")]
+    return [
+        Case(relative(path), name, failure="the run reports no test of this script")
+        for path in scripts if relative(path) not in reported
+    ]
 
 
 def _unittest(path: Path, name: str, timeout_s: float, context: Context) -> list[Case]:

@@ -31,7 +31,8 @@ std::size_t cell_of(const glm::dvec3 &direction) {
 	const double s = direction[(axis + 1) % 3] / std::abs(major);
 	const double t = direction[(axis + 2) % 3] / std::abs(major);
 	const int face = 2 * axis + (major < 0.0 ? 1 : 0);
-	return static_cast<std::size_t>((face * kDivisions + division_of(s)) * kDivisions + division_of(t));
+	const int cell = (face * kDivisions + division_of(s)) * kDivisions + division_of(t);
+	return static_cast<std::size_t>(cell);
 }
 
 void bound(const StarTable &table, const std::vector<glm::dvec3> &directions, const PlanckTable &planck,
