@@ -25,8 +25,8 @@ struct WrapperRegistry {
 };
 
 WrapperRegistry &registry() {
-	static auto *instance = new WrapperRegistry; // never destroyed: objects may outlive static destruction
-	return *instance;
+	static WrapperRegistry instance;
+	return instance;
 }
 
 StringName parent_class(const StringName &name) {
