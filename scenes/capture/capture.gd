@@ -68,7 +68,7 @@ func _take(spec: ShotSpec, out: String) -> void:
 		_fail(out, "the output must end in .png or .exr.")
 		return
 	var method := RenderingServer.get_current_rendering_method()
-	if method != spec.renderer:
+	if spec.renderer_named and method != spec.renderer:
 		_fail(out, "renderer: asked for %s, running %s." % [spec.renderer, method])
 		return
 	if kind == "exr" and method != "forward_plus":

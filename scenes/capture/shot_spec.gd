@@ -36,6 +36,8 @@ var forward: PackedFloat64Array = [0.0, 0.0, -1.0]
 var up: PackedFloat64Array = [0.0, 1.0, 0.0]
 var observer: LensingTable.Motion = LensingTable.MOTION_STATIC
 var renderer: String = "mobile"
+## Whether the shot names its renderer; if not, the one that runs will do.
+var renderer_named: bool = false
 var has_stars: bool = true
 ## Path of a catalogue, or "builtin".
 var catalogue: String = "builtin"
@@ -90,6 +92,7 @@ func _read(data: Dictionary) -> void:
 	position = _vector(data, "position_rs", [0.0, 0.0, 10.0], 3)
 	observer = _choice(data, "observer", ["static", "rain"], 0) as LensingTable.Motion
 	renderer = RENDERERS[_choice(data, "renderer", RENDERERS, 0)]
+	renderer_named = data.has("renderer")
 	if error.is_empty():
 		_read_size(size)
 	if error.is_empty():

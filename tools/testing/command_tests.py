@@ -82,6 +82,11 @@ class Capture(unittest.TestCase):
         self.assertEqual(done.stdout, f"{picture}\n")
         self.assertEqual(struct.unpack(">II", picture.read_bytes()[16:24]), (160, 90))
 
+    def test_linear_light_needs_no_renderer_named(self) -> None:
+        done = run("capture", self._shot("shot.json"), "light.exr", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual((self.folder / "light.exr").read_bytes()[:4], b"\x76\x2f\x31\x01")
+
     def test_a_list_with_several_renderers(self) -> None:
         shots = [self._shot(f"{name}.json", renderer=name) for name in ("mobile", "gl_compatibility")]
         listed = [{"shot": shot, "out": f"{shot}.png"} for shot in shots]
