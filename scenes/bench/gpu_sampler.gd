@@ -9,9 +9,8 @@ extends RefCounted
 const FRAMES_PER_TURN: int = 16
 const FRAMES_USED: int = 4
 const SAMPLES: int = 52
-## A picture so slow that all its samples would take longer than this is sampled less often.
-const SLOW_PICTURE_MS: float = 90000.0
-const FEWEST_SAMPLES: int = 4
+## So long may the turns of one slow picture take together, milliseconds; it then has fewer samples.
+const SLOW_PICTURE_MS: float = 60000.0
 
 ## Least time of each picture, milliseconds, and the number of samples it comes from.
 var least: PackedFloat64Array = []
@@ -41,10 +40,10 @@ func measure(pictures: Array[BenchStage.Picture], samples: int = SAMPLES) -> voi
 
 
 func _wants_samples(picture: BenchStage.Picture, samples: int) -> bool:
-	var enough := samples
-	if counts[picture] > 0:
-		enough = clampi(floori(SLOW_PICTURE_MS / least[picture]), FEWEST_SAMPLES, samples)
-	return counts[picture] < enough
+	if counts[picture] == 0:
+		return true
+	var turns := maxi(floori(SLOW_PICTURE_MS / (least[picture] * FRAMES_PER_TURN)), 1)
+	return counts[picture] < mini(turns * FRAMES_USED, samples)
 
 
 func _take_turn(picture: BenchStage.Picture) -> void:
