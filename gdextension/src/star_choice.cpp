@@ -60,7 +60,15 @@ void choose_stars(StarLayer &layer, const SkySettings &settings, const std::vect
 		for (const WatchingEye &eye : eyes) {
 			views.push_back(view_of(eye, order, settings, tables));
 		}
+		// Most direct images can be seen as a rule: then the groups need not be asked one by one.
+		const bool all = std::any_of(views.begin(), views.end(), [&layer](const View &view) {
+			return view.limit + view.bound.least_brightening() >= layer.faintest();
+		});
 		for (std::size_t g = 0; g < groups.size(); ++g) {
+			if (all) {
+				layer.set_faintest(order, g, std::numeric_limits<double>::infinity());
+				continue;
+			}
 			double faintest = -std::numeric_limits<double>::infinity();
 			for (const View &view : views) {
 				faintest = std::max(faintest, view.limit + view.bound.brightening(groups[g], view.slack));

@@ -83,6 +83,7 @@ void StarLayer::build(const blackhole::StarTable &table) {
 		directions.push_back(blackhole::world_direction(star));
 	}
 	groups = blackhole::group_stars(table, directions, planck);
+	faintest_magnitude = table.stars.empty() ? 0.0 : table.stars.back().v_magnitude;
 	cells.resize(groups.size());
 	for (std::size_t g = 0; g < groups.size(); ++g) {
 		Cell &cell = cells[g];
@@ -173,6 +174,9 @@ void StarLayer::set_textures(const RID &inverse_table, const RID &planck_table) 
 
 int StarLayer::count_to(const Cell &cell, double magnitude) const {
 	const auto limit = static_cast<float>(std::min(magnitude, current.magnitude_limit));
+	if (cell.magnitudes.empty() || limit >= cell.magnitudes.back()) {
+		return static_cast<int>(cell.magnitudes.size());
+	}
 	const auto end = std::upper_bound(cell.magnitudes.begin(), cell.magnitudes.end(), limit);
 	return static_cast<int>(end - cell.magnitudes.begin());
 }

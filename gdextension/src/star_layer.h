@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -37,6 +38,8 @@ public:
 	/// While lensing: the faintest V magnitude, in this group, of which this order's image can be seen.
 	void set_faintest(int order, std::size_t group, double magnitude);
 	const std::vector<blackhole::StarGroup> &star_groups() const { return groups; }
+	/// V magnitude of the faintest star that may be drawn.
+	double faintest() const { return std::min(faintest_magnitude, current.magnitude_limit); }
 
 	/// Peak luminance below which images of this order are not drawn. The many higher images that alone would
 	/// not change an 8-bit picture are not worth their cost: there the limit is half a step of such a
@@ -71,6 +74,7 @@ private:
 	godot::RID scenario;
 	std::vector<Cell> cells;
 	std::vector<blackhole::StarGroup> groups;
+	double faintest_magnitude = 0.0;
 	SkySettings current;
 	bool layer_shown = true;
 };

@@ -14,6 +14,7 @@ namespace blackhole {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
+constexpr double kMagnitudesPerLog2 = 2.5 * (std::numbers::ln2 / std::numbers::ln10);
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Covers the tables' error (0.3 %) and the curvature between the ends of a bin.
 constexpr double kReserve = 1.03;
@@ -76,6 +77,13 @@ ImageBound::ImageBound(const EyeBound &eye, int order, const LensingTables &tabl
 	}
 }
 
+double ImageBound::least_brightening() const {
+	if (*std::min_element(log_redshift.begin(), log_redshift.end()) < 0.0) {
+		return -kInfinity; // redshift dims cool stars without limit
+	}
+	return kMagnitudesPerLog2 * *std::min_element(log_magnification.begin(), log_magnification.end());
+}
+
 double ImageBound::brightening(const StarGroup &group, double slack) const {
 	const double angle = std::acos(std::clamp(glm::dot(outward, group.centre), -1.0, 1.0));
 	const double reach = group.angular_radius + slack;
@@ -87,7 +95,7 @@ double ImageBound::brightening(const StarGroup &group, double slack) const {
 		magnification = std::max(magnification, log_magnification[i]);
 	}
 	const double redshift = std::max(log_redshift[std::min(first, kBins - 1)], log_redshift[end]);
-	return 2.5 * (std::numbers::ln2 / std::numbers::ln10) * (magnification + group.shift.log2_gain(redshift));
+	return kMagnitudesPerLog2 * (magnification + group.shift.log2_gain(redshift));
 }
 
 } // namespace blackhole

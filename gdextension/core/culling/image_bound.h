@@ -40,8 +40,11 @@ public:
 	/// lie on the caustic. `slack` (rad) widens the group, for eyes that move a little.
 	[[nodiscard]] double brightening(const StarGroup &group, double slack) const;
 
+	/// What brightening() is at least for every group, in magnitudes; -infinity when that is not known.
+	[[nodiscard]] double least_brightening() const;
+
 private:
-	static constexpr std::size_t kBins = 64;
+	static constexpr std::size_t kBins = 32;
 
 	glm::dvec3 outward;
 	/// Over bins of the star's angle: largest log2 of magnification times gain.

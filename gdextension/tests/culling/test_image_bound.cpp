@@ -62,6 +62,7 @@ TEST_P(ImageBoundTest, IsNeverShortOfTheExactBrightness) {
 							planck.log2_luminance(image.value->redshift * temperature) -
 							planck.log2_luminance(temperature));
 			const double bound = image_bound.brightening(group, 0.0);
+			EXPECT_GE(bound, image_bound.least_brightening());
 			EXPECT_GE(bound, exact) << "order " << order << " r " << glm::length(position);
 			if (group.angular_radius < 0.01 && std::isfinite(bound)) {
 				sum_reserve += bound - exact;
