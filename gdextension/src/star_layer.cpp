@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <godot_cpp/classes/rendering_server.hpp>
 #include <godot_cpp/classes/resource.hpp>
@@ -21,6 +22,7 @@ namespace {
 constexpr int kFloatsPerStar = 12;
 constexpr int kRenderPriority = -100; // behind everything else that is transparent, before the background
 constexpr float kEverywhere = 1e6F;
+constexpr float kEveryMagnitude = std::numeric_limits<float>::infinity();
 constexpr double kHigherOrderFaintness = 3.0; // 3 x 5e-5: half a step of an 8-bit sRGB picture
 
 /// A triangle whose inscribed circle is the unit circle: three vertices a star rather than a quad's four.
@@ -181,18 +183,20 @@ int StarLayer::count_to(const Cell &cell, double magnitude) const {
 	return static_cast<int>(end - cell.magnitudes.begin());
 }
 
-void StarLayer::draw(Cell &cell, int order, int count) {
+void StarLayer::draw(Cell &cell, int order, double magnitude) {
 	Images &images = cell.images[static_cast<std::size_t>(order)];
+	const int count = count_to(cell, magnitude);
+	const int all = count_to(cell, kEveryMagnitude);
 	// Some to spare, so that a moving eye seldom changes the number.
 	const int spare = 2 + count / 32;
-	if (count > images.reserved || count + 3 * spare < images.reserved || count == 0) {
-		const int all = static_cast<int>(cell.magnitudes.size());
-		const int wanted = count == 0 ? 0 : std::min(count + spare, all);
-		if (wanted != images.reserved) {
-			images.reserved = wanted;
-			RenderingServer::get_singleton()->multimesh_set_visible_instances(images.multimesh, wanted);
-		}
+	const int reserved = count == 0 ? 0 : std::min(count + spare, all);
+	if (reserved != images.reserved) {
+		images.reserved = reserved;
+		RenderingServer::get_singleton()->multimesh_set_visible_instances(images.multimesh, reserved);
 	}
+	const auto magnitude_of = [&cell](int rank) { return cell.magnitudes[static_cast<std::size_t>(rank)]; };
+	images.enough_to = reserved < all ? magnitude_of(reserved) : kEveryMagnitude;
+	images.enough_from = reserved == 0 ? -kEveryMagnitude : magnitude_of(std::max(reserved - 4 * spare, 0));
 	show(images, order);
 }
 
@@ -214,7 +218,11 @@ void StarLayer::set_shown(bool shown) {
 }
 
 void StarLayer::set_faintest(int order, std::size_t group, double magnitude) {
-	draw(cells[group], order, count_to(cells[group], magnitude));
+	const Images &images = cells[group].images[static_cast<std::size_t>(order)];
+	const auto limit = static_cast<float>(magnitude);
+	if (limit < images.enough_from || limit >= images.enough_to) {
+		draw(cells[group], order, magnitude);
+	}
 }
 
 double StarLayer::faint_limit(const SkySettings &settings, int order) {
@@ -245,8 +253,9 @@ void StarLayer::apply(const SkySettings &settings) {
 			if (order < orders_drawn()) {
 				make_images(cell, order);
 			}
+			images.enough_from = kEveryMagnitude; // ask anew: the magnitude limit may be another
 			if (!settings.lensing && order == 0) {
-				draw(cell, order, count_to(cell, settings.magnitude_limit));
+				draw(cell, order, kEveryMagnitude);
 			}
 			if (images.instance.is_valid()) {
 				server->instance_set_layer_mask(images.instance, settings.render_layers);

@@ -52,6 +52,9 @@ private:
 		godot::RID multimesh;
 		godot::RID instance;
 		int reserved = 0; ///< stars that the MultiMesh is set to draw
+		/// That number does, and is not much too large, for faintest magnitudes from here to below there.
+		float enough_from = 0.0F;
+		float enough_to = 0.0F;
 		bool visible = false;
 	};
 	struct Cell {
@@ -63,7 +66,7 @@ private:
 	void ensure_materials();
 	void make_images(Cell &cell, int order);
 	int count_to(const Cell &cell, double magnitude) const;
-	void draw(Cell &cell, int order, int count);
+	void draw(Cell &cell, int order, double magnitude);
 	void show(Images &images, int order);
 	int orders_drawn() const { return current.lensing ? current.image_orders : 1; }
 
