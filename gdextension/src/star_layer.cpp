@@ -22,8 +22,8 @@ namespace {
 constexpr int kFloatsPerStar = 12;
 constexpr int kRenderPriority = -100; // behind everything else that is transparent, before the background
 constexpr float kEverywhere = 1e6F;
-constexpr float kEveryMagnitude = std::numeric_limits<float>::infinity();
-constexpr double kHigherOrderFaintness = 3.0; // 3 x 5e-5: half a step of an 8-bit sRGB picture
+constexpr float kEveryRank = std::numeric_limits<float>::infinity();
+constexpr double kHigherOrderFaintness = 6.0; // 6 x 5e-5: one step of an 8-bit sRGB picture
 
 /// A triangle whose inscribed circle is the unit circle: three vertices a star rather than a quad's four.
 RID make_sprite_mesh(RenderingServer *server) {
@@ -92,24 +92,23 @@ void StarLayer::build(const blackhole::StarTable &table) {
 		const std::vector<uint32_t> &members = groups[g].stars;
 		cell.rows.resize(static_cast<int64_t>(members.size()) * kFloatsPerStar);
 		float *row = cell.rows.ptrw();
-		cell.magnitudes.reserve(members.size());
 		for (const uint32_t member : members) {
 			pack_star(table.stars[member], directions[member], planck, row);
-			cell.magnitudes.push_back(table.stars[member].v_magnitude);
 			row += kFloatsPerStar;
 		}
 	}
 	apply(current);
 }
 
-void StarLayer::make_images(Cell &cell, int order) {
+void StarLayer::make_images(std::size_t group, int order) {
+	Cell &cell = cells[group];
 	Images &images = cell.images[static_cast<std::size_t>(order)];
 	if (images.multimesh.is_valid()) {
 		return;
 	}
 	RenderingServer *server = RenderingServer::get_singleton();
 	images.multimesh = server->multimesh_create();
-	server->multimesh_allocate_data(images.multimesh, static_cast<int32_t>(cell.magnitudes.size()),
+	server->multimesh_allocate_data(images.multimesh, static_cast<int32_t>(groups[group].stars.size()),
 			RenderingServer::MULTIMESH_TRANSFORM_3D);
 	server->multimesh_set_mesh(images.multimesh, sprite);
 	server->multimesh_set_custom_aabb(images.multimesh, everywhere());
@@ -174,19 +173,20 @@ void StarLayer::set_textures(const RID &inverse_table, const RID &planck_table) 
 	}
 }
 
-int StarLayer::count_to(const Cell &cell, double magnitude) const {
-	const auto limit = static_cast<float>(std::min(magnitude, current.magnitude_limit));
-	if (cell.magnitudes.empty() || limit >= cell.magnitudes.back()) {
-		return static_cast<int>(cell.magnitudes.size());
+int StarLayer::count_to(std::size_t group, double rank) const {
+	// Ranks lie below magnitudes: no star within the magnitude limit is left out, and the shader skips the others.
+	const std::vector<float> &ranks = groups[group].ranks;
+	const auto limit = static_cast<float>(std::min(rank, current.magnitude_limit));
+	if (ranks.empty() || limit >= ranks.back()) {
+		return static_cast<int>(ranks.size());
 	}
-	const auto end = std::upper_bound(cell.magnitudes.begin(), cell.magnitudes.end(), limit);
-	return static_cast<int>(end - cell.magnitudes.begin());
+	return static_cast<int>(std::upper_bound(ranks.begin(), ranks.end(), limit) - ranks.begin());
 }
 
-void StarLayer::draw(Cell &cell, int order, double magnitude) {
-	Images &images = cell.images[static_cast<std::size_t>(order)];
-	const int count = count_to(cell, magnitude);
-	const int all = count_to(cell, kEveryMagnitude);
+void StarLayer::draw(std::size_t group, int order, double rank) {
+	Images &images = cells[group].images[static_cast<std::size_t>(order)];
+	const int count = count_to(group, rank);
+	const int all = count_to(group, kEveryRank);
 	// Some to spare, so that a moving eye seldom changes the number.
 	const int spare = 2 + count / 32;
 	const int reserved = count == 0 ? 0 : std::min(count + spare, all);
@@ -194,9 +194,9 @@ void StarLayer::draw(Cell &cell, int order, double magnitude) {
 		images.reserved = reserved;
 		RenderingServer::get_singleton()->multimesh_set_visible_instances(images.multimesh, reserved);
 	}
-	const auto magnitude_of = [&cell](int rank) { return cell.magnitudes[static_cast<std::size_t>(rank)]; };
-	images.enough_to = reserved < all ? magnitude_of(reserved) : kEveryMagnitude;
-	images.enough_from = reserved == 0 ? -kEveryMagnitude : magnitude_of(std::max(reserved - 4 * spare, 0));
+	const auto rank_of = [&ranks = groups[group].ranks](int at) { return ranks[static_cast<std::size_t>(at)]; };
+	images.enough_to = reserved < all ? rank_of(reserved) : kEveryRank;
+	images.enough_from = reserved == 0 ? -kEveryRank : rank_of(std::max(reserved - 4 * spare, 0));
 	show(images, order);
 }
 
@@ -217,11 +217,11 @@ void StarLayer::set_shown(bool shown) {
 	}
 }
 
-void StarLayer::set_faintest(int order, std::size_t group, double magnitude) {
+void StarLayer::set_faintest(int order, std::size_t group, double rank) {
 	const Images &images = cells[group].images[static_cast<std::size_t>(order)];
-	const auto limit = static_cast<float>(magnitude);
+	const auto limit = static_cast<float>(rank);
 	if (limit < images.enough_from || limit >= images.enough_to) {
-		draw(cells[group], order, magnitude);
+		draw(group, order, rank);
 	}
 }
 
@@ -247,15 +247,15 @@ void StarLayer::apply(const SkySettings &settings) {
 		server->material_set_param(
 				material, "_flux_limit", std::pow(10.0, -0.4 * (settings.magnitude_limit + 1e-6)));
 	}
-	for (Cell &cell : cells) {
+	for (std::size_t group = 0; group < cells.size(); ++group) {
 		for (int order = 0; order < kMaxOrders; ++order) {
-			Images &images = cell.images[static_cast<std::size_t>(order)];
+			Images &images = cells[group].images[static_cast<std::size_t>(order)];
 			if (order < orders_drawn()) {
-				make_images(cell, order);
+				make_images(group, order);
 			}
-			images.enough_from = kEveryMagnitude; // ask anew: the magnitude limit may be another
+			images.enough_from = kEveryRank; // ask anew: the magnitude limit may be another
 			if (!settings.lensing && order == 0) {
-				draw(cell, order, kEveryMagnitude);
+				draw(group, order, kEveryRank);
 			}
 			if (images.instance.is_valid()) {
 				server->instance_set_layer_mask(images.instance, settings.render_layers);

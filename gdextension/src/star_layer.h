@@ -35,14 +35,14 @@ public:
 	void set_textures(const godot::RID &inverse_table, const godot::RID &planck_table);
 	void apply(const SkySettings &settings);
 
-	/// While lensing: the faintest V magnitude, in this group, of which this order's image can be seen.
-	void set_faintest(int order, std::size_t group, double magnitude);
+	/// While lensing: the faintest rank, in this group, of which this order's image can be seen.
+	void set_faintest(int order, std::size_t group, double rank);
 	const std::vector<blackhole::StarGroup> &star_groups() const { return groups; }
 	/// V magnitude of the faintest star that may be drawn.
 	double faintest() const { return std::min(faintest_magnitude, current.magnitude_limit); }
 
 	/// Peak luminance below which images of this order are not drawn. The many higher images that alone would
-	/// not change an 8-bit picture are not worth their cost: there the limit is half a step of such a
+	/// not change an 8-bit picture are not worth their cost: there the limit is one step of such a
 	/// picture.
 	static double faint_limit(const SkySettings &settings, int order);
 
@@ -52,21 +52,20 @@ private:
 		godot::RID multimesh;
 		godot::RID instance;
 		int reserved = 0; ///< stars that the MultiMesh is set to draw
-		/// That number does, and is not much too large, for faintest magnitudes from here to below there.
+		/// That number does, and is not much too large, for faintest ranks from here to below there.
 		float enough_from = 0.0F;
 		float enough_to = 0.0F;
 		bool visible = false;
 	};
 	struct Cell {
 		godot::PackedFloat32Array rows; ///< the instance buffer
-		std::vector<float> magnitudes;
 		std::array<Images, kMaxOrders> images;
 	};
 
 	void ensure_materials();
-	void make_images(Cell &cell, int order);
-	int count_to(const Cell &cell, double magnitude) const;
-	void draw(Cell &cell, int order, double magnitude);
+	void make_images(std::size_t group, int order);
+	int count_to(std::size_t group, double rank) const;
+	void draw(std::size_t group, int order, double rank);
 	void show(Images &images, int order);
 	int orders_drawn() const { return current.lensing ? current.image_orders : 1; }
 

@@ -36,15 +36,15 @@ public:
 	ImageBound(const EyeBound &eye, int order, const LensingTables &tables,
 			const std::function<double(double)> &gain);
 
-	/// An upper bound, in magnitudes, of the brightening of any star of the group; +infinity where a star may
-	/// lie on the caustic. `slack` (rad) widens the group, for eyes that move a little.
+	/// An upper bound, in magnitudes, of how much brighter than its rank any star of the group is; +infinity
+	/// where a star may lie on the caustic. `slack` (rad) widens the group, for eyes that move a little.
 	[[nodiscard]] double brightening(const StarGroup &group, double slack) const;
 
 	/// What brightening() is at least for every group, in magnitudes; -infinity when that is not known.
 	[[nodiscard]] double least_brightening() const;
 
 private:
-	static constexpr std::size_t kBins = 32;
+	static constexpr std::size_t kBins = 64;
 
 	glm::dvec3 outward;
 	/// Over bins of the star's angle: largest log2 of magnification times gain.

@@ -7,13 +7,13 @@
 
 namespace blackhole {
 
-ShiftBound::ShiftBound(double coolest_k, double hottest_k, const PlanckTable &planck) {
+ShiftBound::ShiftBound(double coolest_k, double hottest_k, const PlanckTable &planck, double usual) {
 	std::array<double, kSteps + 1> exact{};
 	for (std::size_t i = 0; i <= kSteps; ++i) {
 		const double g = std::exp(kRange * (2.0 * static_cast<double>(i) / kSteps - 1.0));
 		// Blueshift brightens cool bodies most, redshift dims hot ones least.
-		exact[i] = std::max(planck.log2_luminance(g * coolest_k) - planck.log2_luminance(coolest_k),
-				planck.log2_luminance(g * hottest_k) - planck.log2_luminance(hottest_k));
+		exact[i] = std::max(planck.log2_luminance(g * coolest_k) - planck.log2_luminance(usual * coolest_k),
+				planck.log2_luminance(g * hottest_k) - planck.log2_luminance(usual * hottest_k));
 	}
 	// A chord lies below a concave curve by at most an eighth of the second difference.
 	const auto sag = [&exact](std::size_t i) {

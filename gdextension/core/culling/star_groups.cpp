@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -35,6 +36,28 @@ std::size_t cell_of(const glm::dvec3 &direction) {
 	return static_cast<std::size_t>(cell);
 }
 
+/// V magnitude less the brightening, in magnitudes, by kRankingShift.
+float rank_of(const Star &star, const PlanckTable &planck) {
+	const double temperature = star.temperature_k;
+	const double gain =
+			planck.log2_luminance(kRankingShift * temperature) - planck.log2_luminance(temperature);
+	return static_cast<float>(star.v_magnitude - 2.5 * std::log10(2.0) * gain);
+}
+
+void rank(const StarTable &table, const PlanckTable &planck, StarGroup &group) {
+	std::vector<std::pair<float, std::uint32_t>> ranked;
+	ranked.reserve(group.stars.size());
+	for (const std::uint32_t index : group.stars) {
+		ranked.emplace_back(rank_of(table.stars[index], planck), index);
+	}
+	std::sort(ranked.begin(), ranked.end());
+	group.ranks.reserve(ranked.size());
+	for (std::size_t i = 0; i < ranked.size(); ++i) {
+		group.ranks.push_back(ranked[i].first);
+		group.stars[i] = ranked[i].second;
+	}
+}
+
 void bound(const StarTable &table, const std::vector<glm::dvec3> &directions, const PlanckTable &planck,
 		StarGroup &group) {
 	glm::dvec3 sum(0.0);
@@ -52,7 +75,7 @@ void bound(const StarTable &table, const std::vector<glm::dvec3> &directions, co
 		nearest_cosine = std::min(nearest_cosine, glm::dot(group.centre, directions[index]));
 	}
 	group.angular_radius = std::acos(std::clamp(nearest_cosine, -1.0, 1.0)) + 1e-9;
-	group.shift = ShiftBound(coolest, hottest, planck);
+	group.shift = ShiftBound(coolest, hottest, planck, kRankingShift);
 }
 
 } // namespace
@@ -66,6 +89,7 @@ std::vector<StarGroup> group_stars(
 	std::vector<StarGroup> groups;
 	for (StarGroup &cell : cells) {
 		if (!cell.stars.empty()) {
+			rank(table, planck, cell);
 			bound(table, directions, planck, cell);
 			groups.push_back(std::move(cell));
 		}

@@ -75,7 +75,7 @@ RoughPlace rough_place(vec3 place, vec3 star, int order, bool at_rest) {
 	const LensPath path = lens_path(eye, star, order);
 	const float sigma = lens_rough_sigma(eye, path);
 	return {lens_direction(eye, path, sigma), lens_rough_error(eye),
-			lens_magnification_limit(eye, path, 0.0F), lens_redshift(eye, sigma)};
+			lens_magnification_limit(eye, path, 0.0F), lens_redshift_limit(eye, sigma)};
 }
 
 Sky trace(const Texture &forward, vec3 place, vec3 view_direction, bool at_rest) {

@@ -31,7 +31,7 @@ struct RoughPlace {
 	glm::vec3 direction;
 	float error;               ///< radians
 	float magnification_limit; ///< orders above 0
-	float redshift;
+	float redshift_limit;
 };
 struct Sky {
 	bool captured;

@@ -3,6 +3,7 @@
 
 #include "core/catalogue/star.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -44,19 +45,22 @@ TEST(StarGroups, EveryStarIsInExactlyOneGroupAndInsideItsBounds) {
 	std::vector<int> seen(table.stars.size(), 0);
 	for (const StarGroup &group : grouped(table)) {
 		ASSERT_FALSE(group.stars.empty());
-		std::uint32_t previous = group.stars.front();
-		for (const std::uint32_t index : group.stars) {
+		ASSERT_EQ(group.ranks.size(), group.stars.size());
+		EXPECT_TRUE(std::is_sorted(group.ranks.begin(), group.ranks.end()));
+		for (std::size_t i = 0; i < group.stars.size(); ++i) {
+			const std::uint32_t index = group.stars[i];
 			const Star &star = table.stars[index];
 			++seen[index];
-			EXPECT_GE(index, previous) << "brightest first";
-			for (const double ln_g : {-1.0, 0.3}) {
+			EXPECT_LE(group.ranks[i], star.v_magnitude);
+			for (const double ln_g : {-1.0, 0.06, 0.3}) {
 				const double temperature = star.temperature_k;
-				EXPECT_GE(group.shift.log2_gain(ln_g),
-						planck.log2_luminance(std::exp(ln_g) * temperature) -
+				const double gain = 2.5 * std::log10(2.0) *
+						(planck.log2_luminance(std::exp(ln_g) * temperature) -
 								planck.log2_luminance(temperature));
+				const double bound = 2.5 * std::log10(2.0) * group.shift.log2_gain(ln_g);
+				EXPECT_LE(group.ranks[i] - bound, star.v_magnitude - gain + 1e-5);
 			}
 			EXPECT_GE(glm::dot(group.centre, world_direction(star)), std::cos(group.angular_radius) - 1e-12);
-			previous = index;
 		}
 	}
 	for (const int count : seen) {

@@ -123,7 +123,8 @@ TEST(ShaderStarImage, IsWhereItsRoughPlaceSays) {
 					if (order > 0 && rough.error < 1.0F) {
 						EXPECT_LE(rough.magnification_limit, 1.35F * image.magnification)
 								<< "u " << u << " order " << order << " phi " << phi;
-						EXPECT_LE(image.redshift, 1.1F * rough.redshift) << "u " << u << " phi " << phi;
+						EXPECT_LE(image.redshift, rough.redshift_limit) << "u " << u << " phi " << phi;
+						EXPECT_LE(rough.redshift_limit, 1.2F * image.redshift) << "u " << u << " phi " << phi;
 					}
 					told += rough.error < 0.1F ? 1 : 0;
 				}
