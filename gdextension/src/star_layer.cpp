@@ -174,7 +174,8 @@ void StarLayer::set_textures(const RID &inverse_table, const RID &planck_table) 
 }
 
 int StarLayer::count_to(std::size_t group, double rank) const {
-	// Ranks lie below magnitudes: no star within the magnitude limit is left out, and the shader skips the others.
+	// Ranks lie below magnitudes: no star within the magnitude limit is left out, and the shader skips the
+	// others.
 	const std::vector<float> &ranks = groups[group].ranks;
 	const auto limit = static_cast<float>(std::min(rank, current.magnitude_limit));
 	if (ranks.empty() || limit >= ranks.back()) {
@@ -194,7 +195,8 @@ void StarLayer::draw(std::size_t group, int order, double rank) {
 		images.reserved = reserved;
 		RenderingServer::get_singleton()->multimesh_set_visible_instances(images.multimesh, reserved);
 	}
-	const auto rank_of = [&ranks = groups[group].ranks](int at) { return ranks[static_cast<std::size_t>(at)]; };
+	const auto rank_of = [&ranks = groups[group].ranks](
+								 int at) { return ranks[static_cast<std::size_t>(at)]; };
 	images.enough_to = reserved < all ? rank_of(reserved) : kEveryRank;
 	images.enough_from = reserved == 0 ? -kEveryRank : rank_of(std::max(reserved - 4 * spare, 0));
 	show(images, order);
