@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lut_cli/ray_columns.h"
 
+#include "core/relativity/critical.h"
 #include "core/relativity/deflection.h"
 #include "core/relativity/light_ray.h"
 #include "core/relativity/magnification.h"
@@ -120,6 +121,32 @@ std::vector<double> deflection(const RaySource & /*rays*/, std::span<const doubl
 	const Deflection result = blackhole::deflection(inputs[0]);
 	return {inputs[0], result.beyond_critical, result.alpha, result.alpha_weak, result.alpha_strong,
 			result.r_min};
+}
+
+std::vector<double> gshift(const RaySource & /*rays*/, std::span<const double> inputs) {
+	const double u = inputs[0];
+	const double xi = inputs[1];
+	const double psi = inputs[2];
+	std::vector<double> row{u, xi, psi, kNaN, kNaN, kNaN, kNaN, kNaN, kNaN};
+	if (!(u < 1.0)) {
+		return row;
+	}
+	const double y = static_sigma_offset(u, xi);
+	const double rain_kappa = radial_kappa(u, ObserverMotion::kRain);
+	row[3] = radial_redshift(u, y, radial_kappa(u, ObserverMotion::kStatic));
+	row[4] = view_angle(u, y, rain_kappa);
+	row[5] = radial_redshift(u, y, rain_kappa);
+	if (!(u < kPhotonSphereU)) {
+		return row;
+	}
+	// In the static frame the orbit is a boost along e_phi, x here; z is outward.
+	const double celerity = std::sqrt(u / (-3.0 * photon_sphere_offset(u)));
+	const glm::dvec3 view(std::sin(xi) * std::cos(psi), std::sin(xi) * std::sin(psi), -std::cos(xi));
+	const glm::dvec3 orbit(celerity, 0.0, 0.0);
+	row[6] = std::sqrt(0.5 * u / (1.0 - u));
+	row[7] = boost_direction(view, orbit).x;
+	row[8] = row[3] * doppler_factor(view, orbit);
+	return row;
 }
 
 } // namespace blackhole::ray_columns

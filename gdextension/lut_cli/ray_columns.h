@@ -28,4 +28,9 @@ std::vector<double> shadow(const RaySource &rays, std::span<const double> inputs
 /// b -> b,b_over_bc_minus_1,alpha,alpha_weak4,alpha_strong,r_min
 std::vector<double> deflection(const RaySource &rays, std::span<const double> inputs);
 
+/// u_o, xi_static, psi -> u_o,xi_static,psi,g_static,xi_rain,g_rain,v_circ,d1,g_circ: one ray seen by the
+/// static observer, by rain and from the circular orbit; psi from the orbital velocity round the inward axis.
+/// No table has a part in it.
+std::vector<double> gshift(const RaySource &rays, std::span<const double> inputs);
+
 } // namespace blackhole::ray_columns

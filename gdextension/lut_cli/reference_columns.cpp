@@ -39,6 +39,16 @@ std::string reject_rings(Inputs in) {
 	return !whole ? "n must be a whole number from 1 to " + std::to_string(kMaxImageOrder) : reject_place(in);
 }
 
+std::string reject_gshift(Inputs in) {
+	if (!(in[0] > 0.0 && in[0] < 2.0 / 3.0)) {
+		return "u_o must lie between 0 and 2/3, where there is a circular orbit";
+	}
+	if (!(in[1] > 0.0 && in[1] < std::numbers::pi)) {
+		return "xi must lie between 0 and pi";
+	}
+	return std::isfinite(in[2]) ? "" : "psi must be a number";
+}
+
 std::string reject_deflection(Inputs in) {
 	return in[0] > 0.0 ? "" : "b must be > 0";
 }
@@ -68,6 +78,9 @@ const std::vector<ReferenceKind> &reference_kinds() {
 			{"rings", 2, {"u_o", "n", "xi_rain", "xi_rain_minus_shadow", "xi_static", "a"}, reject_rings,
 					ray_columns::rings},
 			{"shadow", 1, {"u_o", "xi_shadow_rain", "xi_shadow_static"}, reject_place, ray_columns::shadow},
+			{"gshift", 3,
+					{"u_o", "xi_static", "psi", "g_static", "xi_rain", "g_rain", "v_circ", "d1", "g_circ"},
+					reject_gshift, ray_columns::gshift},
 			{"deflection", 1, {"b", "b_over_bc_minus_1", "alpha", "alpha_weak4", "alpha_strong", "r_min"},
 					reject_deflection, ray_columns::deflection},
 	};

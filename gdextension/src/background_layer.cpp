@@ -64,10 +64,13 @@ void BackgroundLayer::ensure() {
 	RenderingServer *server = RenderingServer::get_singleton();
 	lensed_shader = ResourceLoader::get_singleton()->load(
 			"res://addons/blackhole_sky/shaders/background_lensed.gdshader");
+	general_shader = ResourceLoader::get_singleton()->load(
+			"res://addons/blackhole_sky/shaders/background_general.gdshader");
 	flat_shader = ResourceLoader::get_singleton()->load(
 			"res://addons/blackhole_sky/shaders/background_flat.gdshader");
 	material = server->material_create();
 	server->material_set_render_priority(material, kRenderPriority);
+	server->material_set_param(material, "_panorama_is_light", true);
 	quad = make_screen_mesh(server);
 	instance = server->instance_create();
 	server->instance_set_base(instance, quad);
@@ -94,7 +97,8 @@ void BackgroundLayer::clear() {
 
 void BackgroundLayer::show() {
 	if (instance.is_valid()) {
-		RenderingServer::get_singleton()->instance_set_visible(instance, layer_shown && source != 0);
+		RenderingServer::get_singleton()->instance_set_visible(
+				instance, layer_shown && (source != 0 || redshift_map));
 	}
 }
 
@@ -109,9 +113,23 @@ void BackgroundLayer::set_scenario(const RID &p_scenario) {
 	RenderingServer::get_singleton()->instance_set_scenario(instance, scenario);
 }
 
-void BackgroundLayer::set_forward_table(const RID &forward_table) {
+void BackgroundLayer::set_tables(const RID &forward_table, const RID &planck_table) {
 	ensure();
-	RenderingServer::get_singleton()->material_set_param(material, "_forward_table", forward_table);
+	RenderingServer *server = RenderingServer::get_singleton();
+	server->material_set_param(material, "_forward_table", forward_table);
+	server->material_set_param(material, "_planck_table", planck_table);
+}
+
+void BackgroundLayer::set_panorama_is_light(bool is_light) {
+	ensure();
+	RenderingServer::get_singleton()->material_set_param(material, "_panorama_is_light", is_light);
+}
+
+void BackgroundLayer::set_redshift_map(bool shown) {
+	ensure();
+	redshift_map = shown;
+	RenderingServer::get_singleton()->material_set_param(material, "_redshift_map", shown);
+	show();
 }
 
 void BackgroundLayer::set_source(int kind, const RID &panorama, double luminance) {
@@ -131,12 +149,11 @@ void BackgroundLayer::apply(const SkySettings &settings) {
 	ensure();
 	RenderingServer *server = RenderingServer::get_singleton();
 	exposure = settings.exposure;
-	server->material_set_shader(
-			material, settings.lensing ? lensed_shader->get_rid() : flat_shader->get_rid());
-	server->material_set_param(material, "_hole_position", settings.hole_position);
-	server->material_set_param(material, "_inverse_radius", settings.inverse_radius);
-	server->material_set_param(material, "_observer_motion", settings.observer_motion);
-	server->material_set_param(material, "_sky_to_world", settings.sky_to_world);
+	const Ref<Shader> &shader = settings.shaders == SkyShaders::kFlat ? flat_shader
+			: settings.shaders == SkyShaders::kRadial                 ? lensed_shader
+																	  : general_shader;
+	server->material_set_shader(material, shader->get_rid());
+	set_sky_uniforms(material, settings);
 	server->material_set_param(material, "_panorama_luminance", panorama_luminance * exposure);
 	server->instance_set_layer_mask(instance, settings.render_layers);
 }

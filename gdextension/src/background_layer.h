@@ -18,7 +18,11 @@ public:
 	void clear();
 	void set_scenario(const godot::RID &scenario);
 	void set_shown(bool shown);
-	void set_forward_table(const godot::RID &forward_table);
+	void set_tables(const godot::RID &forward_table, const godot::RID &planck_table);
+	/// Shows frequency ratios in false colours instead of the sky.
+	void set_redshift_map(bool shown);
+	/// Whether the panorama's light is shifted in frequency.
+	void set_panorama_is_light(bool is_light);
 	/// kind: BlackHoleSky::Background; luminance of a panorama texel of value 1 at exposure 0.
 	void set_source(int kind, const godot::RID &panorama, double luminance);
 	void apply(const SkySettings &settings);
@@ -28,6 +32,7 @@ private:
 	void show();
 
 	godot::Ref<godot::Shader> lensed_shader;
+	godot::Ref<godot::Shader> general_shader;
 	godot::Ref<godot::Shader> flat_shader;
 	godot::RID material;
 	godot::RID quad;
@@ -36,5 +41,6 @@ private:
 	double panorama_luminance = 1.0;
 	double exposure = 1.0;
 	int source = 0;
+	bool redshift_map = false;
 	bool layer_shown = true;
 };

@@ -11,6 +11,8 @@
 #include <godot_cpp/classes/world3d.hpp>
 #include <godot_cpp/variant/callable_method_pointer.hpp>
 
+#include "core/relativity/shadow.h"
+#include "src/glm_adapter.h"
 #include "src/planck_texture.h"
 #include "src/star_choice.h"
 
@@ -33,6 +35,16 @@ BlackHoleSky::BlackHoleSky() {
 
 bool BlackHoleSky::is_lensing() const {
 	return lensing > 1e-6 && table.is_valid() && table->is_ready();
+}
+
+SkyShaders BlackHoleSky::shaders_needed() const {
+	const LensingTable::Motion motion = get_observer_motion();
+	const bool radial = motion != LensingTable::MOTION_ORBIT && motion != LensingTable::MOTION_VELOCITY;
+	if (is_lensing()) {
+		return radial && effects == lensing_shader::kAllEffects ? SkyShaders::kRadial : SkyShaders::kGeneral;
+	}
+	// Without the hole a given velocity still aberrates and shifts; the other motions are the hole's.
+	return motion == LensingTable::MOTION_VELOCITY ? SkyShaders::kGeneral : SkyShaders::kFlat;
 }
 
 void BlackHoleSky::enter_world() {
@@ -102,12 +114,23 @@ void BlackHoleSky::apply_settings() {
 	settings.sky_to_world = place.basis.orthonormalized();
 	settings.lensing = is_lensing();
 	settings.inverse_radius = 1.0 / (schwarzschild_radius * std::max(lensing, 1e-6));
-	settings.observer_motion = observer_motion;
+	settings.shaders = shaders_needed();
+	settings.observer = observer_field();
+	settings.observer.axis = to_glm(settings.sky_to_world.xform(to_godot(settings.observer.axis)));
+	settings.observer.celerity = to_glm(settings.sky_to_world.xform(to_godot(settings.observer.celerity)));
+	settings.effects = effects;
+	if (!settings.lensing) {
+		// A place where the hole is of no account, and no rain falls.
+		settings.hole_position = Vector3(0, 1e9, 0);
+		settings.inverse_radius = 1.0;
+		settings.effects &= ~(EFFECT_DEFLECTION | EFFECT_GRAVITATIONAL_SHIFT);
+	}
+	settings.saturation = saturation;
 	settings.exposure = std::exp2(exposure);
 	settings.psf_sigma = psf_sigma;
 	settings.faint_limit = faint_limit;
 	settings.magnitude_limit = magnitude_limit;
-	settings.image_orders = image_orders;
+	settings.image_orders = higher_orders && is_effect_on(EFFECT_DEFLECTION) ? image_orders : 1;
 	settings.render_layers = render_layers;
 	star_layer.apply(settings);
 	background_layer.apply(settings);
@@ -152,7 +175,7 @@ void BlackHoleSky::table_changed() {
 		forward = table->get_forward_texture()->get_rid();
 	}
 	star_layer.set_textures(inverse, planck_texture()->get_rid());
-	background_layer.set_forward_table(forward);
+	background_layer.set_tables(forward, planck_texture()->get_rid());
 	settings_changed();
 	update_configuration_warnings();
 }
@@ -192,8 +215,54 @@ void BlackHoleSky::set_lensing(double fraction) {
 }
 
 void BlackHoleSky::set_observer_motion(LensingTable::Motion motion) {
-	observer_motion = motion;
+	if (observer.is_null() && motion != LensingTable::MOTION_STATIC) {
+		Ref<SkyObserver> made;
+		made.instantiate();
+		set_observer(made);
+	}
+	if (observer.is_valid()) {
+		observer->set_motion(motion);
+	}
+}
+
+LensingTable::Motion BlackHoleSky::get_observer_motion() const {
+	return observer.is_valid() ? observer->get_motion() : LensingTable::MOTION_STATIC;
+}
+
+void BlackHoleSky::set_observer(const Ref<SkyObserver> &p_observer) {
+	const Callable changed = callable_mp(this, &BlackHoleSky::settings_changed);
+	if (observer.is_valid() && observer->is_connected("changed", changed)) {
+		observer->disconnect("changed", changed);
+	}
+	observer = p_observer;
+	if (observer.is_valid()) {
+		observer->connect("changed", changed);
+	}
 	settings_changed();
+}
+
+blackhole::ObserverField BlackHoleSky::observer_field() const {
+	return observer.is_valid() ? observer->field() : blackhole::ObserverField();
+}
+
+void BlackHoleSky::set_effect(int effect, bool on) {
+	effects = on ? effects | effect : effects & ~effect;
+	settings_changed();
+}
+
+void BlackHoleSky::set_higher_orders(bool shown) {
+	higher_orders = shown;
+	settings_changed();
+}
+
+void BlackHoleSky::set_saturation(double factor) {
+	saturation = limited(factor, 0.0, 4.0, saturation);
+	settings_changed();
+}
+
+void BlackHoleSky::set_redshift_map(bool shown) {
+	redshift_map = shown;
+	background_layer.set_redshift_map(shown);
 }
 
 void BlackHoleSky::set_stars_visible(bool shown) {
@@ -243,6 +312,11 @@ void BlackHoleSky::set_panorama_luminance(double luminance) {
 	set_background(background);
 }
 
+void BlackHoleSky::set_panorama_is_light(bool is_light) {
+	panorama_is_light = is_light;
+	background_layer.set_panorama_is_light(is_light);
+}
+
 void BlackHoleSky::set_render_layers(uint32_t layers) {
 	render_layers = layers;
 	settings_changed();
@@ -252,11 +326,28 @@ double BlackHoleSky::distance_to(const Vector3 &world_position) const {
 	return world_position.distance_to(get_global_transform().origin) / schwarzschild_radius;
 }
 
+Vector3 BlackHoleSky::place_of(const Vector3 &world_position) const {
+	const Transform3D place = get_global_transform();
+	const Vector3 offset = place.basis.orthonormalized().transposed().xform(world_position - place.origin);
+	return offset / static_cast<real_t>(schwarzschild_radius * std::max(lensing, 1e-6));
+}
+
 double BlackHoleSky::shadow_angle_at(const Vector3 &world_position) const {
 	if (!is_lensing()) {
 		return 0.0;
 	}
-	const double r = distance_to(world_position) / lensing;
-	const bool refused = observer_motion == LensingTable::MOTION_STATIC && r <= 1.0;
-	return LensingTable::shadow_angle(r, refused ? LensingTable::MOTION_RAIN : observer_motion);
+	const glm::dvec3 place = to_glm(place_of(world_position));
+	auto shadow = blackhole::apparent_shadow(place, observer_field());
+	if (!shadow) {
+		shadow = blackhole::apparent_shadow(place, blackhole::ObserverMotion::kRain);
+	}
+	return shadow ? 2.0 * shadow.value->half_angle : 0.0;
+}
+
+String BlackHoleSky::get_observer_refusal_at(const Vector3 &world_position) const {
+	if (!is_lensing()) {
+		return {};
+	}
+	const auto at = blackhole::local_observer(observer_field(), to_glm(place_of(world_position)));
+	return at ? String() : String::utf8(at.error.c_str());
 }

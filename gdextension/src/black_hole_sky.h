@@ -12,6 +12,7 @@
 #include "src/background_layer.h"
 #include "src/eye_tracker.h"
 #include "src/lensing_table.h"
+#include "src/sky_observer.h"
 #include "src/sky_settings.h"
 #include "src/star_catalogue.h"
 #include "src/star_layer.h"
@@ -22,6 +23,14 @@ class BlackHoleSky : public godot::Node3D {
 	GDCLASS(BlackHoleSky, godot::Node3D)
 
 public:
+	/// Effects that can be switched off alone: the bits of effects.gdshaderinc.
+	enum Effect {
+		EFFECT_DEFLECTION = 1,
+		EFFECT_ABERRATION = 2,
+		EFFECT_GRAVITATIONAL_SHIFT = 4,
+		EFFECT_DOPPLER = 8,
+		EFFECT_MAGNIFICATION = 16,
+	};
 	enum Background { BACKGROUND_NONE = 0, BACKGROUND_GRID = 1, BACKGROUND_PANORAMA = 2 };
 
 	BlackHoleSky();
@@ -31,7 +40,9 @@ public:
 	void set_lensing(double fraction);
 	double get_lensing() const { return lensing; }
 	void set_observer_motion(LensingTable::Motion motion);
-	LensingTable::Motion get_observer_motion() const { return observer_motion; }
+	LensingTable::Motion get_observer_motion() const;
+	void set_observer(const godot::Ref<SkyObserver> &p_observer);
+	godot::Ref<SkyObserver> get_observer() const { return observer; }
 	void set_table(const godot::Ref<LensingTable> &p_table);
 	godot::Ref<LensingTable> get_table() const { return table; }
 
@@ -48,6 +59,15 @@ public:
 	void set_faint_limit(double luminance);
 	double get_faint_limit() const { return faint_limit; }
 
+	void set_effect(int effect, bool on);
+	bool is_effect_on(int effect) const { return (effects & effect) != 0; }
+	void set_higher_orders(bool shown);
+	bool are_higher_orders_shown() const { return higher_orders; }
+	void set_saturation(double factor);
+	double get_saturation() const { return saturation; }
+	void set_redshift_map(bool shown);
+	bool is_redshift_map_shown() const { return redshift_map; }
+
 	void set_exposure(double ev);
 	double get_exposure() const { return exposure; }
 	void set_background(Background kind);
@@ -56,11 +76,14 @@ public:
 	godot::Ref<godot::Texture2D> get_panorama() const { return panorama; }
 	void set_panorama_luminance(double luminance);
 	double get_panorama_luminance() const { return panorama_luminance; }
+	void set_panorama_is_light(bool is_light);
+	bool is_panorama_light() const { return panorama_is_light; }
 	void set_render_layers(uint32_t layers);
 	uint32_t get_render_layers() const { return render_layers; }
 
 	double distance_to(const godot::Vector3 &world_position) const;
 	double shadow_angle_at(const godot::Vector3 &world_position) const;
+	godot::String get_observer_refusal_at(const godot::Vector3 &world_position) const;
 	double get_update_time_ms() const { return update_time_ms; }
 
 	godot::PackedStringArray _get_configuration_warnings() const override;
@@ -80,6 +103,9 @@ private:
 	void node_added(godot::Node *node);
 	void node_removed(godot::Node *node);
 	bool is_lensing() const;
+	SkyShaders shaders_needed() const;
+	blackhole::ObserverField observer_field() const;
+	godot::Vector3 place_of(const godot::Vector3 &world_position) const;
 
 	StarLayer star_layer;
 	BackgroundLayer background_layer;
@@ -89,7 +115,11 @@ private:
 
 	double schwarzschild_radius = 1.0;
 	double lensing = 1.0;
-	LensingTable::Motion observer_motion = LensingTable::MOTION_STATIC;
+	godot::Ref<SkyObserver> observer; ///< null: static
+	int effects = lensing_shader::kAllEffects;
+	bool higher_orders = true;
+	double saturation = 1.0;
+	bool redshift_map = false;
 	godot::Ref<LensingTable> table;
 	godot::Ref<StarCatalogue> catalogue;
 	bool stars_visible = true;
@@ -101,6 +131,7 @@ private:
 	Background background = BACKGROUND_NONE;
 	godot::Ref<godot::Texture2D> panorama;
 	double panorama_luminance = 1.0;
+	bool panorama_is_light = true;
 	uint32_t render_layers = 1;
 
 	double update_time_ms = 0.0;
@@ -108,3 +139,4 @@ private:
 };
 
 VARIANT_ENUM_CAST(BlackHoleSky::Background);
+VARIANT_ENUM_CAST(BlackHoleSky::Effect);

@@ -60,6 +60,8 @@ void BlackHoleSky::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_lensing"), &BlackHoleSky::get_lensing);
 	ClassDB::bind_method(D_METHOD("set_observer_motion", "motion"), &BlackHoleSky::set_observer_motion);
 	ClassDB::bind_method(D_METHOD("get_observer_motion"), &BlackHoleSky::get_observer_motion);
+	ClassDB::bind_method(D_METHOD("set_observer", "observer"), &BlackHoleSky::set_observer);
+	ClassDB::bind_method(D_METHOD("get_observer"), &BlackHoleSky::get_observer);
 	ClassDB::bind_method(D_METHOD("set_table", "table"), &BlackHoleSky::set_table);
 	ClassDB::bind_method(D_METHOD("get_table"), &BlackHoleSky::get_table);
 	ClassDB::bind_method(D_METHOD("set_catalogue", "catalogue"), &BlackHoleSky::set_catalogue);
@@ -74,6 +76,14 @@ void BlackHoleSky::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_psf_sigma"), &BlackHoleSky::get_psf_sigma);
 	ClassDB::bind_method(D_METHOD("set_faint_limit", "luminance"), &BlackHoleSky::set_faint_limit);
 	ClassDB::bind_method(D_METHOD("get_faint_limit"), &BlackHoleSky::get_faint_limit);
+	ClassDB::bind_method(D_METHOD("set_effect", "effect", "on"), &BlackHoleSky::set_effect);
+	ClassDB::bind_method(D_METHOD("is_effect_on", "effect"), &BlackHoleSky::is_effect_on);
+	ClassDB::bind_method(D_METHOD("set_higher_orders", "shown"), &BlackHoleSky::set_higher_orders);
+	ClassDB::bind_method(D_METHOD("are_higher_orders_shown"), &BlackHoleSky::are_higher_orders_shown);
+	ClassDB::bind_method(D_METHOD("set_saturation", "factor"), &BlackHoleSky::set_saturation);
+	ClassDB::bind_method(D_METHOD("get_saturation"), &BlackHoleSky::get_saturation);
+	ClassDB::bind_method(D_METHOD("set_redshift_map", "shown"), &BlackHoleSky::set_redshift_map);
+	ClassDB::bind_method(D_METHOD("is_redshift_map_shown"), &BlackHoleSky::is_redshift_map_shown);
 	ClassDB::bind_method(D_METHOD("set_exposure", "ev"), &BlackHoleSky::set_exposure);
 	ClassDB::bind_method(D_METHOD("get_exposure"), &BlackHoleSky::get_exposure);
 	ClassDB::bind_method(D_METHOD("set_background", "kind"), &BlackHoleSky::set_background);
@@ -83,10 +93,14 @@ void BlackHoleSky::_bind_methods() {
 	ClassDB::bind_method(
 			D_METHOD("set_panorama_luminance", "luminance"), &BlackHoleSky::set_panorama_luminance);
 	ClassDB::bind_method(D_METHOD("get_panorama_luminance"), &BlackHoleSky::get_panorama_luminance);
+	ClassDB::bind_method(D_METHOD("set_panorama_is_light", "is_light"), &BlackHoleSky::set_panorama_is_light);
+	ClassDB::bind_method(D_METHOD("is_panorama_light"), &BlackHoleSky::is_panorama_light);
 	ClassDB::bind_method(D_METHOD("set_render_layers", "layers"), &BlackHoleSky::set_render_layers);
 	ClassDB::bind_method(D_METHOD("get_render_layers"), &BlackHoleSky::get_render_layers);
 	ClassDB::bind_method(D_METHOD("distance_to", "world_position"), &BlackHoleSky::distance_to);
 	ClassDB::bind_method(D_METHOD("shadow_angle_at", "world_position"), &BlackHoleSky::shadow_angle_at);
+	ClassDB::bind_method(
+			D_METHOD("get_observer_refusal_at", "world_position"), &BlackHoleSky::get_observer_refusal_at);
 	ClassDB::bind_method(D_METHOD("get_update_time_ms"), &BlackHoleSky::get_update_time_ms);
 	ClassDB::bind_method(D_METHOD("get_warnings"), &BlackHoleSky::_get_configuration_warnings);
 
@@ -96,7 +110,11 @@ void BlackHoleSky::_bind_methods() {
 			"set_schwarzschild_radius", "get_schwarzschild_radius");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "lensing", PROPERTY_HINT_RANGE, "0,1,0.001"), "set_lensing",
 			"get_lensing");
-	ADD_PROPERTY(PropertyInfo(Variant::INT, "observer_motion", PROPERTY_HINT_ENUM, "Static,Rain"),
+	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "observer", PROPERTY_HINT_RESOURCE_TYPE, "SkyObserver"),
+			"set_observer", "get_observer");
+	// A short cut to observer.motion, which holds the value.
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "observer_motion", PROPERTY_HINT_ENUM,
+						 "Static,Rain,Infall,Orbit,Velocity", PROPERTY_USAGE_NONE),
 			"set_observer_motion", "get_observer_motion");
 	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "table", PROPERTY_HINT_RESOURCE_TYPE, "LensingTable"),
 			"set_table", "get_table");
@@ -115,10 +133,26 @@ void BlackHoleSky::_bind_methods() {
 	ADD_PROPERTY(
 			PropertyInfo(Variant::FLOAT, "faint_limit", PROPERTY_HINT_RANGE, "0.000001,0.01,0.000001,exp"),
 			"set_faint_limit", "get_faint_limit");
+	ADD_GROUP("Effects", "effect_");
+	ADD_PROPERTYI(PropertyInfo(Variant::BOOL, "effect_deflection"), "set_effect", "is_effect_on",
+			EFFECT_DEFLECTION);
+	ADD_PROPERTYI(PropertyInfo(Variant::BOOL, "effect_aberration"), "set_effect", "is_effect_on",
+			EFFECT_ABERRATION);
+	ADD_PROPERTYI(PropertyInfo(Variant::BOOL, "effect_gravitational_shift"), "set_effect", "is_effect_on",
+			EFFECT_GRAVITATIONAL_SHIFT);
+	ADD_PROPERTYI(
+			PropertyInfo(Variant::BOOL, "effect_doppler"), "set_effect", "is_effect_on", EFFECT_DOPPLER);
+	ADD_PROPERTYI(PropertyInfo(Variant::BOOL, "effect_magnification"), "set_effect", "is_effect_on",
+			EFFECT_MAGNIFICATION);
+	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "effect_higher_orders"), "set_higher_orders",
+			"are_higher_orders_shown");
 	ADD_GROUP("Picture", "");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "exposure", PROPERTY_HINT_RANGE,
 						 "-10,10,0.1,or_less,or_greater,suffix:EV"),
 			"set_exposure", "get_exposure");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "saturation", PROPERTY_HINT_RANGE, "0,4,0.01"),
+			"set_saturation", "get_saturation");
+	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "redshift_map"), "set_redshift_map", "is_redshift_map_shown");
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "background", PROPERTY_HINT_ENUM, "None,Grid,Panorama"),
 			"set_background", "get_background");
 	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "panorama", PROPERTY_HINT_RESOURCE_TYPE, "Texture2D"),
@@ -126,9 +160,15 @@ void BlackHoleSky::_bind_methods() {
 	ADD_PROPERTY(
 			PropertyInfo(Variant::FLOAT, "panorama_luminance", PROPERTY_HINT_RANGE, "0,10,0.001,or_greater"),
 			"set_panorama_luminance", "get_panorama_luminance");
+	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "panorama_is_light"), "set_panorama_is_light", "is_panorama_light");
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "render_layers", PROPERTY_HINT_LAYERS_3D_RENDER),
 			"set_render_layers", "get_render_layers");
 
+	BIND_ENUM_CONSTANT(EFFECT_DEFLECTION);
+	BIND_ENUM_CONSTANT(EFFECT_ABERRATION);
+	BIND_ENUM_CONSTANT(EFFECT_GRAVITATIONAL_SHIFT);
+	BIND_ENUM_CONSTANT(EFFECT_DOPPLER);
+	BIND_ENUM_CONSTANT(EFFECT_MAGNIFICATION);
 	BIND_ENUM_CONSTANT(BACKGROUND_NONE);
 	BIND_ENUM_CONSTANT(BACKGROUND_GRID);
 	BIND_ENUM_CONSTANT(BACKGROUND_PANORAMA);

@@ -13,12 +13,10 @@
 #include <godot_cpp/variant/packed_byte_array.hpp>
 #include <godot_cpp/variant/utility_functions.hpp>
 
-#include "core/relativity/observer.h"
 #include "core/relativity/shadow.h"
-#include "core/relativity/star_image.h"
 #include "core/tables/table_file.h"
+#include "src/exact_results.h"
 #include "src/float_texture.h"
-#include "src/glm_adapter.h"
 
 using namespace godot;
 
@@ -26,11 +24,6 @@ namespace {
 
 // Ten times the size of the largest table that makes sense; read no further.
 constexpr int64_t kLargestFile = int64_t(16) << 20;
-
-blackhole::ObserverMotion to_core(LensingTable::Motion motion) {
-	return motion == LensingTable::MOTION_STATIC ? blackhole::ObserverMotion::kStatic
-												 : blackhole::ObserverMotion::kRain;
-}
 
 } // namespace
 
@@ -160,37 +153,15 @@ double LensingTable::shadow_angle(double radius, Motion motion) {
 	if (!(radius > 0.0) || (motion == MOTION_STATIC && radius <= 1.0)) {
 		return std::numeric_limits<double>::quiet_NaN();
 	}
-	return 2.0 * blackhole::shadow_half_angle(1.0 / radius, to_core(motion));
+	return 2.0 * blackhole::shadow_half_angle(1.0 / radius, core_motion(motion));
 }
 
 Dictionary LensingTable::star_image(const Vector3 &position, const Vector3 &star, int order, Motion motion) {
-	const blackhole::Outcome<blackhole::StarImage> image =
-			blackhole::star_image(to_glm(position), to_glm(star), order, to_core(motion));
-	Dictionary result;
-	if (!image) {
-		UtilityFunctions::push_error("LensingTable.star_image: " + String::utf8(image.error.c_str()));
-		return result;
-	}
-	result["direction"] = to_godot(image.value->direction);
-	result["xi"] = image.value->xi;
-	result["orbital_angle"] = image.value->orbital_angle;
-	result["magnification"] = image.value->magnification;
-	result["redshift"] = image.value->redshift;
-	return result;
+	return exact_star_image("LensingTable", position, star, order, core_motion(motion));
 }
 
 Dictionary LensingTable::trace(const Vector3 &position, const Vector3 &view_direction, Motion motion) {
-	const blackhole::Outcome<blackhole::SkyRay> ray =
-			blackhole::trace_view_direction(to_glm(position), to_glm(view_direction), to_core(motion));
-	Dictionary result;
-	if (!ray) {
-		UtilityFunctions::push_error("LensingTable.trace: " + String::utf8(ray.error.c_str()));
-		return result;
-	}
-	result["captured"] = ray.value->captured;
-	result["sky_direction"] = to_godot(ray.value->sky_direction);
-	result["redshift"] = ray.value->redshift;
-	return result;
+	return exact_trace("LensingTable", position, view_direction, core_motion(motion));
 }
 
 void LensingTable::_bind_methods() {
@@ -219,4 +190,7 @@ void LensingTable::_bind_methods() {
 	ADD_SIGNAL(MethodInfo("bake_finished", PropertyInfo(Variant::BOOL, "completed")));
 	BIND_ENUM_CONSTANT(MOTION_STATIC);
 	BIND_ENUM_CONSTANT(MOTION_RAIN);
+	BIND_ENUM_CONSTANT(MOTION_INFALL);
+	BIND_ENUM_CONSTANT(MOTION_ORBIT);
+	BIND_ENUM_CONSTANT(MOTION_VELOCITY);
 }

@@ -43,7 +43,14 @@ protected:
 	static void _bind_methods();
 
 public:
-	enum Motion { MOTION_STATIC = 0, MOTION_RAIN = 1 };
+	/// How observers move. The last three need more to be known: see SkyObserver.
+	enum Motion {
+		MOTION_STATIC = 0,
+		MOTION_RAIN = 1,
+		MOTION_INFALL = 2,
+		MOTION_ORBIT = 3,
+		MOTION_VELOCITY = 4,
+	};
 
 	~LensingTable() override;
 

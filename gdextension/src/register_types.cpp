@@ -4,6 +4,7 @@
 #include "src/black_hole_sky.h"
 #include "src/lensing_table.h"
 #include "src/planck_texture.h"
+#include "src/sky_observer.h"
 #include "src/star_catalogue.h"
 
 #include <gdextension_interface.h>
@@ -17,6 +18,7 @@ void initialize_blackhole_sky(godot::ModuleInitializationLevel level) {
 	}
 	GDREGISTER_CLASS(StarCatalogue);
 	GDREGISTER_CLASS(LensingTable);
+	GDREGISTER_CLASS(SkyObserver);
 	GDREGISTER_CLASS(BlackHoleSky);
 }
 

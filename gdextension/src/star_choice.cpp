@@ -25,11 +25,17 @@ struct View {
 	double slack = 0.0; ///< rad
 };
 
+/// The observer in the axes of the star groups.
+blackhole::ObserverField sky_axes(const SkySettings &settings) {
+	const Basis to_sky = settings.sky_to_world.transposed();
+	blackhole::ObserverField observer = settings.observer;
+	observer.axis = to_glm(to_sky.xform(to_godot(observer.axis)));
+	observer.celerity = to_glm(to_sky.xform(to_godot(observer.celerity)));
+	return observer;
+}
+
 View view_of(const WatchingEye &eye, int order, const SkySettings &settings,
 		const blackhole::LensingTables &tables) {
-	const blackhole::ObserverMotion motion = settings.observer_motion == 0
-			? blackhole::ObserverMotion::kStatic
-			: blackhole::ObserverMotion::kRain;
 	const Vector3 offset = to_godot(eye.place) - settings.hole_position;
 	glm::dvec3 position = to_glm(settings.sky_to_world.transposed().xform(offset)) * settings.inverse_radius;
 	const double distance = glm::length(position);
@@ -37,8 +43,11 @@ View view_of(const WatchingEye &eye, int order, const SkySettings &settings,
 		position = glm::dvec3(0.0, 0.0, kNearest);
 	}
 	const glm::dvec3 inward = distance > kNearest ? -to_glm(offset.normalized()) : eye.axis;
-	View view{blackhole::ImageBound(blackhole::eye_bound(position, motion), order, tables,
-			[&eye, &inward](double xi) { return eye.pixel_gain(inward, xi); })};
+	const blackhole::LocalObserver observer = blackhole::drawn_observer(position, sky_axes(settings));
+	const bool boosted = observer.celerity != glm::dvec3(0.0);
+	// A boost carries images elsewhere in the picture: then every place in it counts.
+	View view{blackhole::ImageBound(observer, order, tables,
+			[&eye, &inward, boosted](double xi) { return eye.pixel_gain(inward, boosted ? kTwoPi : xi); })};
 	const double peak_gain = blackhole::kStarGain * settings.exposure /
 			(kTwoPi * settings.psf_sigma * settings.psf_sigma * StarLayer::faint_limit(settings, order));
 	view.limit = 2.5 * std::log10(peak_gain);
@@ -61,7 +70,8 @@ void choose_stars(StarLayer &layer, const SkySettings &settings, const std::vect
 			views.push_back(view_of(eye, order, settings, tables));
 		}
 		// Most direct images can be seen as a rule: then the groups need not be asked one by one.
-		const bool all = std::any_of(views.begin(), views.end(), [&layer](const View &view) {
+		const bool partly = settings.effects != lensing_shader::kAllEffects; // then the bounds do not hold
+		const bool all = partly || std::any_of(views.begin(), views.end(), [&layer](const View &view) {
 			return view.limit + view.bound.least_brightening() >= layer.faintest();
 		});
 		for (std::size_t g = 0; g < groups.size(); ++g) {

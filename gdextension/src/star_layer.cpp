@@ -64,6 +64,8 @@ void StarLayer::ensure_materials() {
 	RenderingServer *server = RenderingServer::get_singleton();
 	lensed_shader =
 			ResourceLoader::get_singleton()->load("res://addons/blackhole_sky/shaders/stars_lensed.gdshader");
+	general_shader = ResourceLoader::get_singleton()->load(
+			"res://addons/blackhole_sky/shaders/stars_general.gdshader");
 	flat_shader =
 			ResourceLoader::get_singleton()->load("res://addons/blackhole_sky/shaders/stars_flat.gdshader");
 	sprite = make_sprite_mesh(server);
@@ -231,18 +233,25 @@ double StarLayer::faint_limit(const SkySettings &settings, int order) {
 	return settings.faint_limit * (order > 0 ? kHigherOrderFaintness : 1.0);
 }
 
+RID StarLayer::shader() const {
+	switch (current.shaders) {
+		case SkyShaders::kRadial:
+			return lensed_shader->get_rid();
+		case SkyShaders::kGeneral:
+			return general_shader->get_rid();
+		default:
+			return flat_shader->get_rid();
+	}
+}
+
 void StarLayer::apply(const SkySettings &settings) {
 	current = settings;
 	ensure_materials();
 	RenderingServer *server = RenderingServer::get_singleton();
-	const RID shader = settings.lensing ? lensed_shader->get_rid() : flat_shader->get_rid();
 	for (int order = 0; order < kMaxOrders; ++order) {
 		const RID material = materials[static_cast<std::size_t>(order)];
-		server->material_set_shader(material, shader);
-		server->material_set_param(material, "_hole_position", settings.hole_position);
-		server->material_set_param(material, "_inverse_radius", settings.inverse_radius);
-		server->material_set_param(material, "_observer_motion", settings.observer_motion);
-		server->material_set_param(material, "_sky_to_world", settings.sky_to_world);
+		server->material_set_shader(material, shader());
+		set_sky_uniforms(material, settings);
 		server->material_set_param(material, "_exposure", blackhole::kStarGain * settings.exposure);
 		server->material_set_param(material, "_psf_sigma", settings.psf_sigma);
 		server->material_set_param(material, "_faint_limit", faint_limit(settings, order));

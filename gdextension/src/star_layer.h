@@ -68,8 +68,10 @@ private:
 	void draw(std::size_t group, int order, double rank);
 	void show(Images &images, int order);
 	int orders_drawn() const { return current.lensing ? current.image_orders : 1; }
+	godot::RID shader() const;
 
 	godot::Ref<godot::Shader> lensed_shader;
+	godot::Ref<godot::Shader> general_shader;
 	godot::Ref<godot::Shader> flat_shader;
 	std::array<godot::RID, kMaxOrders> materials;
 	godot::RID sprite;

@@ -14,7 +14,7 @@ const STAR_GAIN: float = 30.0
 const NOWHERE := Vector2(INF, INF)
 
 var place := Vector3(0, 0, 10)
-var motion: LensingTable.Motion = LensingTable.MOTION_STATIC
+var observer := SkyObserver.new()
 var size := Vector2i(1280, 720)
 var vertical_fov_deg: float = 60.0
 var right: PackedFloat64Array = [1.0, 0.0, 0.0]
@@ -35,7 +35,7 @@ class StarSpot:
 
 func _init(eye_place: Vector3, eye_motion: LensingTable.Motion) -> void:
 	place = eye_place
-	motion = eye_motion
+	observer.motion = eye_motion
 	look_along(Vec3D.scaled(outward(), -1.0), Vector3(0.1, 1.0, 0.2))
 
 
@@ -88,12 +88,12 @@ func to_direction(pixel: Vector2) -> PackedFloat64Array:
 
 ## Half the opening angle of the shadow, radians.
 func shadow_half_angle() -> float:
-	return 0.5 * LensingTable.shadow_angle(Vec3D.length(doubled(place)), motion)
+	return observer.shadow(place)["half_angle"]
 
 
 ## The image of order `order` of a star in direction `star`.
 func star_spot(star: Vector3, order: int) -> StarSpot:
-	var exact: Dictionary = LensingTable.star_image(place, star, order, motion)
+	var exact: Dictionary = observer.star_image(place, star, order)
 	var xi: float = exact["xi"]
 	var axis := outward()
 	var side := across(doubled(star), axis)
@@ -102,8 +102,20 @@ func star_spot(star: Vector3, order: int) -> StarSpot:
 	spot.magnification = exact["magnification"]
 	spot.redshift = exact["redshift"]
 	spot.stretch = sin(xi) / Vec3D.sine(doubled(star), axis)
-	spot.pixel = to_pixel(sum(axis, -cos(xi), side, sin(xi) if order % 2 == 0 else -sin(xi)))
+	if is_radial():
+		# Finer than the single precision of a Vector3.
+		spot.pixel = to_pixel(sum(axis, -cos(xi), side, sin(xi) if order % 2 == 0 else -sin(xi)))
+	else:
+		spot.pixel = to_pixel(doubled(exact["direction"]))
 	return spot
+
+
+## Is the observer at rest or moving straight to or from the hole?
+func is_radial() -> bool:
+	return (
+		observer.motion != LensingTable.MOTION_ORBIT
+		and observer.motion != LensingTable.MOTION_VELOCITY
+	)
 
 
 ## Luminance, summed over its pixels, of a star of visual magnitude 0 and temperature `kelvin` seen

@@ -53,7 +53,7 @@ static func is_linear() -> bool:
 ## Puts the camera where a view says and the hole's size to `radius` units.
 func aim(view: ExactView, radius: float = 1.0) -> void:
 	sky.schwarzschild_radius = radius
-	sky.observer_motion = view.motion
+	sky.observer = view.observer
 	viewport.size = view.size
 	if view.vertical_fov_deg >= 1.0:
 		camera.set_perspective(view.vertical_fov_deg, 0.05, 4000.0)

@@ -73,7 +73,7 @@ func add(order: int, count: int, tries: int = 400) -> void:
 ## disturb others, or nothing can be seen there.
 func add_at(pixel: Vector2) -> bool:
 	var direction := Vec3D.to_vector3(_view.to_direction(pixel))
-	var ray: Dictionary = LensingTable.trace(_view.place, direction, _view.motion)
+	var ray: Dictionary = _view.observer.trace(_view.place, direction)
 	if ray["captured"]:
 		return false
 	var star: Vector3 = ray["sky_direction"]
@@ -125,7 +125,7 @@ func _in_view() -> Vector3:
 		var angle := _rng.randf() * TAU
 		pixel = hole + Vector2.from_angle(angle) * (shadow + _rng.randf() * (shadow + 20.0))
 	var direction := Vec3D.to_vector3(_view.to_direction(pixel))
-	var ray: Dictionary = LensingTable.trace(_view.place, direction, _view.motion)
+	var ray: Dictionary = _view.observer.trace(_view.place, direction)
 	return Vector3.ZERO if ray["captured"] else ray["sky_direction"]
 
 

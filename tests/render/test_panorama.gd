@@ -20,6 +20,7 @@ func before_all() -> void:
 	_booth = SkyBooth.new()
 	_booth.sky.stars_visible = false
 	_booth.sky.panorama = _directions_as_colours()
+	_booth.sky.panorama_is_light = false
 	_booth.sky.background = BlackHoleSky.BACKGROUND_PANORAMA
 	add_child(_booth)
 	# A texel is 0.7 degrees wide. Half floats tell 0.05 degrees apart, 8 bits of sRGB 0.5.
@@ -130,7 +131,7 @@ func _exact(view: ExactView, pixel: Vector2i) -> Vector3:
 	var ends: Array[Vector3] = []
 	for offset: Vector2i in [Vector2i.ZERO, Vector2i.RIGHT, Vector2i.DOWN]:
 		var direction := _direction_at(view, pixel + offset)
-		var ray: Dictionary = LensingTable.trace(view.place, direction, view.motion)
+		var ray: Dictionary = view.observer.trace(view.place, direction)
 		if ray["captured"]:
 			return Vector3.ZERO
 		ends.append(ray["sky_direction"])

@@ -27,6 +27,7 @@ func before_all() -> void:
 	_booth = SkyBooth.new()
 	_booth.sky.panorama = _white()
 	_booth.sky.panorama_luminance = PANORAMA_LUMINANCE
+	_booth.sky.panorama_is_light = false
 	add_child(_booth)
 
 

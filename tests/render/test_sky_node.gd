@@ -153,7 +153,7 @@ func test_leaving_and_entering_the_tree() -> void:
 
 func test_observer_motion() -> void:
 	_booth.sky.observer_motion = LensingTable.MOTION_RAIN
-	_view.motion = LensingTable.MOTION_RAIN
+	_view.observer.motion = LensingTable.MOTION_RAIN
 	var targets := _field.alone(_view)
 	assert_gte(targets.size(), 3, "images to measure")
 	_expect(await _booth.take(), targets, "falling")

@@ -21,28 +21,56 @@ constexpr double kReserve = 1.03;
 // The direct image of a star straight above: a smooth function's limit is taken here, radians.
 constexpr double kNearlyNothing = 1e-3;
 
-double redshift_of(const EyeBound &eye, double sigma) {
-	if (eye.is_static) {
-		return 1.0 / std::sqrt(1.0 - eye.u);
-	}
+double redshift_of(const LocalObserver &eye, double sigma) {
 	const double k2 = eye.kappa * eye.kappa;
 	const double s2 = sigma * sigma;
-	return 1.0 / (1.0 - std::sqrt(eye.u) * (k2 - s2) / (k2 + s2));
+	return (k2 + s2) / (eye.kappa * (1.0 - eye.u + s2));
 }
+
+/// Of a boost's Doppler factors over all directions at angles between two from the hole: the smallest and
+/// largest.
+class DopplerRange {
+public:
+	explicit DopplerRange(const LocalObserver &eye)
+			: size(glm::length(eye.celerity)), gamma(std::hypot(1.0, size)) {
+		const double inward = -glm::dot(eye.celerity, eye.outward);
+		angle = std::atan2(std::sqrt(std::max(size * size - inward * inward, 0.0)), inward);
+	}
+
+	/// gamma + |w| cos, with the angle between direction and motion within the bin's reach of its least and
+	/// largest.
+	[[nodiscard]] double largest(double xi_from, double xi_to) const {
+		const double beside = std::clamp(angle, xi_from, xi_to);
+		return gamma + size * std::cos(angle - beside);
+	}
+	[[nodiscard]] double smallest(double xi_from, double xi_to) const {
+		const double opposite = std::clamp(kPi - angle, xi_from, xi_to);
+		const double along = size * std::cos(angle + opposite);
+		return along >= 0.0 ? gamma + along : std::max(gamma + along, 1.0 / (gamma + size));
+	}
+
+private:
+	double size;
+	double gamma;
+	double angle = 0.0; ///< of the motion from the direction to the hole
+};
 
 } // namespace
 
-EyeBound eye_bound(const glm::dvec3 &position, ObserverMotion motion) {
-	EyeBound eye;
-	const double r = glm::length(position);
-	eye.outward = position / r;
-	eye.u = 1.0 / r;
-	eye.is_static = motion == ObserverMotion::kStatic && eye.u < 1.0;
-	eye.kappa = eye.is_static ? std::sqrt(1.0 - eye.u) : 1.0 + std::sqrt(eye.u);
-	return eye;
+LocalObserver drawn_observer(const glm::dvec3 &position, const ObserverField &observer) {
+	Outcome<LocalObserver> at = local_observer(observer, position);
+	if (!at && observer.motion == ObserverMotion::kInfall && glm::length(position) > 1.0) {
+		at = local_observer(ObserverMotion::kStatic, position);
+	}
+	if (!at && observer.motion == ObserverMotion::kVelocity) {
+		ObserverField velocity = observer;
+		velocity.relative_to_static = false;
+		at = local_observer(velocity, position);
+	}
+	return at ? *at.value : *local_observer(ObserverMotion::kRain, position).value;
 }
 
-ImageBound::ImageBound(const EyeBound &eye, int order, const LensingTables &tables,
+ImageBound::ImageBound(const LocalObserver &eye, int order, const LensingTables &tables,
 		const std::function<double(double)> &gain)
 		: outward(eye.outward) {
 	const ShaderLensing lensing(tables);
@@ -50,6 +78,7 @@ ImageBound::ImageBound(const EyeBound &eye, int order, const LensingTables &tabl
 	const double turns = kPi * static_cast<double>(order + (odd ? 1 : 0));
 	std::array<double, kBins + 1> spread{}; // magnification times sin(angle), a smooth function
 	std::array<double, kBins + 1> sine{};
+	std::array<double, kBins + 1> redshift{};
 	std::array<double, kBins + 1> xi{};
 	for (std::size_t i = 0; i <= kBins; ++i) {
 		const double angle = kPi * static_cast<double>(i) / kBins;
@@ -61,10 +90,14 @@ ImageBound::ImageBound(const EyeBound &eye, int order, const LensingTables &tabl
 		const double sum = k2 + sigma * sigma;
 		spread[i] = 4.0 * k2 * sigma * std::abs(double{ray.slope}) / (sum * sum);
 		sine[i] = i == kBins ? 0.0 : std::sin(std::max(angle, smallest));
-		log_redshift[i] = std::log(redshift_of(eye, sigma));
+		redshift[i] = redshift_of(eye, sigma);
 		xi[i] = 2.0 * std::atan(sigma / eye.kappa);
 	}
+	const DopplerRange doppler(eye);
 	for (std::size_t i = 0; i < kBins; ++i) {
+		const double xi_from = std::min(xi[i], xi[i + 1]);
+		const double xi_to = std::max(xi[i], xi[i + 1]);
+		const double least_doppler = doppler.smallest(xi_from, xi_to);
 		const double least_sine = std::min(sine[i], sine[i + 1]);
 		double magnification = kInfinity;
 		if (least_sine > 0.0) {
@@ -73,12 +106,15 @@ ImageBound::ImageBound(const EyeBound &eye, int order, const LensingTables &tabl
 			magnification = order == 0 ? std::max(spread[i] / sine[i], spread[i + 1] / sine[i + 1])
 									   : std::max(spread[i], spread[i + 1]) / least_sine;
 		}
-		log_magnification[i] = std::log2(kReserve * magnification * gain(std::max(xi[i], xi[i + 1])));
+		log_magnification[i] =
+				std::log2(kReserve * magnification * gain(xi_to) / (least_doppler * least_doppler));
+		log_redshift[i] = std::log(std::max(redshift[i], redshift[i + 1]) * doppler.largest(xi_from, xi_to));
+		never_redshifted = never_redshifted && std::min(redshift[i], redshift[i + 1]) * least_doppler >= 1.0;
 	}
 }
 
 double ImageBound::least_brightening() const {
-	if (*std::min_element(log_redshift.begin(), log_redshift.end()) < 0.0) {
+	if (!never_redshifted) {
 		return -kInfinity; // redshift dims cool stars without limit
 	}
 	return kMagnitudesPerLog2 * *std::min_element(log_magnification.begin(), log_magnification.end());
@@ -91,10 +127,11 @@ double ImageBound::brightening(const StarGroup &group, double slack) const {
 	const auto first = static_cast<std::size_t>(std::max((angle - reach) * kBinsPerRadian, 0.0));
 	const auto end = std::min(static_cast<std::size_t>((angle + reach) * kBinsPerRadian) + 1, kBins);
 	double magnification = -kInfinity;
+	double redshift = -kInfinity;
 	for (std::size_t i = std::min(first, kBins - 1); i < end; ++i) {
 		magnification = std::max(magnification, log_magnification[i]);
+		redshift = std::max(redshift, log_redshift[i]);
 	}
-	const double redshift = std::max(log_redshift[std::min(first, kBins - 1)], log_redshift[end]);
 	return kMagnitudesPerLog2 * (magnification + group.shift.log2_gain(redshift));
 }
 

@@ -41,7 +41,7 @@ double radial_kappa(double u, ObserverMotion motion) {
 	if (motion == ObserverMotion::kRain) {
 		return 1.0 + std::sqrt(u);
 	}
-	return u < 1.0 ? std::sqrt(1.0 - u) : kNaN;
+	return motion == ObserverMotion::kStatic && u < 1.0 ? std::sqrt(1.0 - u) : kNaN;
 }
 
 double infall_kappa(double u, double energy) {
@@ -64,6 +64,9 @@ Outcome<glm::dvec3> observer_celerity(ObserverMotion motion, glm::dvec3 position
 	}
 	if (motion == ObserverMotion::kRain) {
 		return Outcome<glm::dvec3>::success(glm::dvec3(0.0));
+	}
+	if (motion != ObserverMotion::kStatic) {
+		return Outcome<glm::dvec3>::failure("this motion needs more to be known: see ObserverField");
 	}
 	if (r <= 1.0) {
 		return Outcome<glm::dvec3>::failure(
@@ -100,6 +103,12 @@ Outcome<glm::dvec3> orbit_celerity(glm::dvec3 position_rs, glm::dvec3 axis) {
 	const double tangential = 1.0 / std::sqrt(2.0 * r - 3.0);
 	return Outcome<glm::dvec3>::success(
 			position_rs * (std::sqrt(2.0) * tangential / r) + along * (tangential / along_length));
+}
+
+glm::dvec3 composed_celerity(glm::dvec3 frame, glm::dvec3 relative) {
+	const double frame_gamma = std::sqrt(1.0 + glm::dot(frame, frame));
+	const double gamma = std::sqrt(1.0 + glm::dot(relative, relative));
+	return relative + frame * (gamma + glm::dot(frame, relative) / (1.0 + frame_gamma));
 }
 
 glm::dvec3 boost_direction(glm::dvec3 toward_source, glm::dvec3 celerity) {

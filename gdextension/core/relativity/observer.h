@@ -14,10 +14,17 @@ enum class ObserverMotion {
 	kStatic,
 	/// Free fall from rest at infinity.
 	kRain,
+	/// Radial free fall, inward or outward, with a given energy.
+	kInfall,
+	/// Circular geodesic orbit.
+	kOrbit,
+	/// A given velocity.
+	kVelocity,
 };
 
 /// kappa in tan(xi/2) = sigma/kappa, the only thing radial motion changes in the picture: sqrt(1 - u) for
-/// static observers (NaN for u >= 1), 1 + sqrt(u) for rain. u = r_s/r > 0.
+/// static observers (NaN for u >= 1), 1 + sqrt(u) for rain, NaN for motions that need more to be known. u =
+/// r_s/r > 0.
 double radial_kappa(double u, ObserverMotion motion);
 
 /// kappa of radial free fall inward with energy per rest mass `energy`: eps + sqrt(eps^2 - 1 + u). Rain is
@@ -39,6 +46,10 @@ Outcome<glm::dvec3> observer_celerity(ObserverMotion motion, glm::dvec3 position
 /// Celerity of the circular orbit at position_rs, relative to the rain frame: sqrt(2u/(2-3u)) outward and
 /// sqrt(u/(2-3u)) along `axis` x outward. Fails at r <= 1.5 and where axis and position are parallel.
 Outcome<glm::dvec3> orbit_celerity(glm::dvec3 position_rs, glm::dvec3 axis);
+
+/// Celerity relative to the rain frame of an observer who has the celerity `relative` in the frame that moves
+/// with `frame` relative to rain; the axes of that frame are the rain frame's carried by its boost.
+glm::dvec3 composed_celerity(glm::dvec3 frame, glm::dvec3 relative);
 
 /// Aberration: unit direction towards a source in the frame that moves with `celerity`, given the unit
 /// direction in the first frame. Exact for every celerity; the inverse is the same function with -celerity.

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/outcome.h"
-#include "core/relativity/observer.h"
+#include "core/relativity/observer_field.h"
 
 #include <glm/vec3.hpp>
 
@@ -11,6 +11,17 @@ namespace blackhole {
 /// Angular radius xi_c [rad] of the hole's shadow for an observer at u = r_s/r > 0; NaN where the motion does
 /// not exist. Relative error 1e-15.
 double shadow_half_angle(double u, ObserverMotion motion);
+
+/// The hole's shadow as an observer sees it: a circle, since aberration makes circles of circles.
+struct ApparentShadow {
+	/// Unit direction towards its centre, in the observer's own frame.
+	glm::dvec3 centre{0.0};
+	/// Its angular radius [rad], 0 to pi.
+	double half_angle = 0.0;
+};
+
+/// The shadow of any observer at position_rs (from the hole, r_s); fails where there is no such observer.
+Outcome<ApparentShadow> apparent_shadow(glm::dvec3 position_rs, const ObserverField &observer);
 
 /// Where a viewing direction ends.
 struct SkyRay {
@@ -28,6 +39,6 @@ struct SkyRay {
 /// view_direction (in the observer's own frame, whose axes are the world axes carried by the one boost from
 /// the rain frame). Fails where the motion does not exist and for directions without length.
 Outcome<SkyRay> trace_view_direction(
-		glm::dvec3 position_rs, glm::dvec3 view_direction, ObserverMotion motion);
+		glm::dvec3 position_rs, glm::dvec3 view_direction, const ObserverField &observer);
 
 } // namespace blackhole

@@ -7,25 +7,17 @@
 
 namespace blackhole {
 
-Outcome<SkyFrame> sky_frame(glm::dvec3 position_rs, glm::dvec3 direction, ObserverMotion motion) {
-	const Outcome<glm::dvec3> celerity = observer_celerity(motion, position_rs);
-	if (!celerity) {
-		return Outcome<SkyFrame>::failure(celerity.error);
-	}
+Outcome<SkyFrame> sky_frame(const LocalObserver &at, glm::dvec3 direction) {
 	const double length = glm::length(direction);
 	if (!(length > 0.0 && std::isfinite(length))) {
 		return Outcome<SkyFrame>::failure("a direction must be finite and not zero");
 	}
-	const double r = glm::length(position_rs);
 	const glm::dvec3 n = direction / length;
 	SkyFrame frame;
-	frame.u = 1.0 / r;
-	frame.kappa = radial_kappa(frame.u, motion);
-	frame.outward = position_rs / r;
-	if (!(frame.kappa > 0.0)) {
-		return Outcome<SkyFrame>::failure("the observer is too close to the horizon to be static in double "
-										  "precision; choose rain");
-	}
+	frame.u = at.u;
+	frame.kappa = at.kappa;
+	frame.celerity = at.celerity;
+	frame.outward = at.outward;
 	frame.near = glm::length(frame.outward - n);
 	frame.far = glm::length(frame.outward + n);
 	// Twice across the axis: the second pass removes what rounding left of the radial part.

@@ -2,16 +2,18 @@
 #pragma once
 
 #include "core/outcome.h"
-#include "core/relativity/observer.h"
+#include "core/relativity/observer_field.h"
 
 #include <glm/vec3.hpp>
 
 namespace blackhole {
 
-/// The plane in which light from a direction travels to a radially moving observer.
+/// The plane in which light from a direction travels to an observer.
 struct SkyFrame {
 	double u = 0.0;
+	/// Of the radially moving frame; the observer has the celerity relative to it.
 	double kappa = 0.0;
+	glm::dvec3 celerity{0.0};
 	/// Unit vector from the hole to the observer.
 	glm::dvec3 outward{0.0};
 	/// Unit vector across `outward`, on the direction's side (any one where the direction is along the axis).
@@ -22,8 +24,8 @@ struct SkyFrame {
 	double far = 0.0;
 };
 
-/// The frame of `direction` (any length but zero) at position_rs; fails with a reason for impossible
-/// requests.
-Outcome<SkyFrame> sky_frame(glm::dvec3 position_rs, glm::dvec3 direction, ObserverMotion motion);
+/// The frame of `direction` (any length but zero), which is a direction at infinity or one in the radially
+/// moving frame, for an observer.
+Outcome<SkyFrame> sky_frame(const LocalObserver &at, glm::dvec3 direction);
 
 } // namespace blackhole

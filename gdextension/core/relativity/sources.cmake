@@ -5,6 +5,7 @@ target_sources(blackhole_core PRIVATE
 	${CMAKE_CURRENT_LIST_DIR}/image_direction.cpp
 	${CMAKE_CURRENT_LIST_DIR}/magnification.cpp
 	${CMAKE_CURRENT_LIST_DIR}/observer.cpp
+	${CMAKE_CURRENT_LIST_DIR}/observer_field.cpp
 	${CMAKE_CURRENT_LIST_DIR}/orbital_angle.cpp
 	${CMAKE_CURRENT_LIST_DIR}/redshift.cpp
 	${CMAKE_CURRENT_LIST_DIR}/shadow.cpp

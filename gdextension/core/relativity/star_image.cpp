@@ -15,11 +15,15 @@
 namespace blackhole {
 
 Outcome<StarImage> star_image(
-		glm::dvec3 position_rs, glm::dvec3 star_direction, int order, ObserverMotion motion) {
+		glm::dvec3 position_rs, glm::dvec3 star_direction, int order, const ObserverField &observer) {
 	if (order < 0 || order > kMaxImageOrder) {
 		return Outcome<StarImage>::failure("the image order must be between 0 and 60");
 	}
-	const Outcome<SkyFrame> frame = sky_frame(position_rs, star_direction, motion);
+	const Outcome<LocalObserver> local = local_observer(observer, position_rs);
+	if (!local) {
+		return Outcome<StarImage>::failure(local.error);
+	}
+	const Outcome<SkyFrame> frame = sky_frame(*local.value, star_direction);
 	if (!frame) {
 		return Outcome<StarImage>::failure(frame.error);
 	}
@@ -41,6 +45,12 @@ Outcome<StarImage> star_image(
 	image.direction = at.azimuth * (side * std::sin(image.xi)) - at.outward * std::cos(image.xi);
 	image.magnification = radial_magnification(at.u, ray, at.kappa, sine);
 	image.redshift = radial_redshift(at.u, ray.y, at.kappa);
+	if (at.celerity != glm::dvec3(0.0)) {
+		const double doppler = doppler_factor(image.direction, at.celerity);
+		image.direction = boost_direction(image.direction, at.celerity);
+		image.magnification /= doppler * doppler;
+		image.redshift *= doppler;
+	}
 	return Outcome<StarImage>::success(image);
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/outcome.h"
-#include "core/relativity/observer.h"
+#include "core/relativity/observer_field.h"
 
 #include <glm/vec3.hpp>
 
@@ -12,7 +12,8 @@ namespace blackhole {
 struct StarImage {
 	/// Unit direction towards the image in the observer's own frame (world axes carried by the one boost).
 	glm::dvec3 direction{0.0};
-	/// Angle [rad] of that direction from the direction to the hole.
+	/// Angle [rad] of the image from the direction to the hole, in the radially moving frame (for static,
+	/// rain and infall the observer's own; for others rain).
 	double xi = 0.0;
 	/// Orbital angle Phi [rad] of the light.
 	double orbital_angle = 0.0;
@@ -31,6 +32,6 @@ inline constexpr int kMaxImageOrder = 60;
 /// axis has a whole ring of images: one point of the ring is returned. Fails with a reason where the motion
 /// does not exist and for senseless arguments.
 Outcome<StarImage> star_image(
-		glm::dvec3 position_rs, glm::dvec3 star_direction, int order, ObserverMotion motion);
+		glm::dvec3 position_rs, glm::dvec3 star_direction, int order, const ObserverField &observer);
 
 } // namespace blackhole

@@ -24,18 +24,47 @@ vec4 texelFetch(const Texture &table, ivec2 at, int /*level*/) { // NOLINT(reada
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"
-#include "lensing_shader_source.inc" // lensing.gdshaderinc, see sources.cmake
+// The .gdshaderinc files of these names, see sources.cmake.
+#include "observer_source.inc"
+
+#include "lensing_source.inc"
+
+#include "effects_source.inc"
 #pragma GCC diagnostic pop
 
 LensEye eye_at(float u) {
-	return lens_eye(vec3(0.0F, 0.0F, 1.0F / u), LENS_MOTION_RAIN);
-}
-
-int motion_code(bool at_rest) {
-	return at_rest ? LENS_MOTION_STATIC : LENS_MOTION_RAIN;
+	return lens_eye(vec3(0.0F, 0.0F, 1.0F / u), LENS_MOTION_RAIN, vec4(0.0F));
 }
 
 } // namespace
+
+Motion motion_of(const blackhole::ObserverField &observer) {
+	using blackhole::ObserverMotion;
+	Motion result;
+	const auto energy = static_cast<float>(observer.energy);
+	switch (observer.motion) {
+		case ObserverMotion::kStatic:
+			result.code = LENS_MOTION_STATIC;
+			break;
+		case ObserverMotion::kRain:
+			result.code = LENS_MOTION_RAIN;
+			break;
+		case ObserverMotion::kInfall:
+			result.code = LENS_MOTION_INFALL;
+			result.parameters.w = observer.outgoing ? -energy : energy;
+			break;
+		case ObserverMotion::kOrbit:
+			result.code = LENS_MOTION_ORBIT;
+			result.parameters = vec4(vec3(normalize(observer.axis)), energy);
+			break;
+		case ObserverMotion::kVelocity:
+			result.code =
+					observer.relative_to_static ? LENS_MOTION_VELOCITY_FROM_STATIC : LENS_MOTION_VELOCITY;
+			result.parameters = vec4(vec3(observer.celerity), energy);
+			break;
+	}
+	return result;
+}
 
 float shadow_sigma(float u) {
 	return eye_at(u).sigma_c;
@@ -61,26 +90,27 @@ vec2 angle_of_ray(const Texture &forward, float u, float y) {
 	return lens_orbital_angle(forward, eye, lens_row(eye), y);
 }
 
-Image star_image(
-		const Texture &inverse, vec3 place, vec3 star, int order, bool at_rest, float angular_radius) {
-	const LensEye eye = lens_eye(place, motion_code(at_rest));
+Image star_image(const Texture &inverse, vec3 place, vec3 star, int order, const Motion &motion,
+		float angular_radius, int effects) {
+	const LensEye eye = lens_eye(place, motion.code, motion.parameters);
 	const LensPath path = lens_path(eye, star, order);
 	const LensImage image = lens_star_image(inverse, eye, lens_row(eye), path);
-	return {image.direction, lens_magnification(eye, path, image, angular_radius),
-			lens_redshift(eye, image.sigma)};
+	const EffectImage seen = effect_image(eye, effects, path, image, star, angular_radius);
+	return {seen.direction, seen.magnification, seen.redshift};
 }
 
-RoughPlace rough_place(vec3 place, vec3 star, int order, bool at_rest) {
-	const LensEye eye = lens_eye(place, motion_code(at_rest));
+RoughPlace rough_place(vec3 place, vec3 star, int order, const Motion &motion) {
+	const LensEye eye = lens_eye(place, motion.code, motion.parameters);
 	const LensPath path = lens_path(eye, star, order);
 	const float sigma = lens_rough_sigma(eye, path);
 	return {lens_direction(eye, path, sigma), lens_rough_error(eye),
 			lens_magnification_limit(eye, path, 0.0F), lens_redshift_limit(eye, sigma)};
 }
 
-Sky trace(const Texture &forward, vec3 place, vec3 view_direction, bool at_rest) {
-	const LensEye eye = lens_eye(place, motion_code(at_rest));
-	const LensRay ray = lens_trace(forward, eye, lens_row(eye), view_direction);
+Sky trace(const Texture &forward, vec3 place, vec3 view_direction, const Motion &motion, int effects) {
+	const LensEye eye = lens_eye(place, motion.code, motion.parameters);
+	const LensRay ray =
+			effect_trace(forward, eye, lens_row(eye), effects, effect_framed(eye, effects, view_direction));
 	return {ray.clearance <= 0.0F, ray.sky, ray.slope, ray.redshift};
 }
 

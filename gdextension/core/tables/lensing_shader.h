@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/relativity/observer_field.h"
+
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
 #include <vector>
 
-/// addons/blackhole_sky/shaders/lensing.gdshaderinc compiled as C++, behind plain functions. A namespace of
-/// its own, because shading languages have one flat name space.
+/// addons/blackhole_sky/shaders/{observer,lensing,effects}.gdshaderinc compiled as C++, behind plain
+/// functions. A namespace of its own, because shading languages have one flat name space.
 namespace lensing_shader {
 
 /// A texture of RGBA texels as the shader sees it.
@@ -16,6 +18,16 @@ struct Texture {
 	const std::vector<float> *texels;
 	int columns;
 };
+
+/// How the observer moves, as the shader's uniforms say it (see observer.gdshaderinc).
+struct Motion {
+	int code = 0;
+	glm::vec4 parameters{0.0F, 1.0F, 0.0F, 1.0F};
+};
+Motion motion_of(const blackhole::ObserverField &observer);
+
+/// Every effect of effects.gdshaderinc.
+inline constexpr int kAllEffects = 31;
 
 struct Ray {
 	float clearance;
@@ -46,13 +58,15 @@ float shadow_sigma(float u);
 Ray ray_of_angle(const Texture &inverse, float u, float t, float t_slope);
 /// Phi and dPhi/dy from the forward table.
 glm::vec2 angle_of_ray(const Texture &forward, float u, float y);
-/// Image of a star in the observer's own frame.
-Image star_image(const Texture &inverse, glm::vec3 place, glm::vec3 star, int order, bool at_rest,
-		float angular_radius);
+/// Image of a star in the observer's own frame, with the effects (bits of effects.gdshaderinc) that are on.
+Image star_image(const Texture &inverse, glm::vec3 place, glm::vec3 star, int order, const Motion &motion,
+		float angular_radius, int effects);
 /// About where that image is, how far off it may be and how large it is at most: by this the star layer
 /// leaves out what is not in the picture, or too faint, before it reads the table.
-RoughPlace rough_place(glm::vec3 place, glm::vec3 star, int order, bool at_rest);
-/// Where a viewing direction of the observer's own frame ends.
-Sky trace(const Texture &forward, glm::vec3 place, glm::vec3 view_direction, bool at_rest);
+RoughPlace rough_place(glm::vec3 place, glm::vec3 star, int order, const Motion &motion);
+/// Where a viewing direction of the observer's own frame ends; the slope is dPhi/dxi in the radially moving
+/// frame.
+Sky trace(
+		const Texture &forward, glm::vec3 place, glm::vec3 view_direction, const Motion &motion, int effects);
 
 } // namespace lensing_shader

@@ -22,21 +22,21 @@ float ShaderLensing::shadow_sigma(double u) {
 	return lensing_shader::shadow_sigma(static_cast<float>(u));
 }
 
-ShaderLensing::Image ShaderLensing::star_image(
-		glm::vec3 place, glm::vec3 star, int order, ObserverMotion motion, float angular_radius) const {
+ShaderLensing::Image ShaderLensing::star_image(glm::vec3 place, glm::vec3 star, int order,
+		const ObserverField &observer, float angular_radius, int effects) const {
 	return lensing_shader::star_image({&data.inverse, data.columns}, place, star, order,
-			motion == ObserverMotion::kStatic, angular_radius);
+			lensing_shader::motion_of(observer), angular_radius, effects);
 }
 
 ShaderLensing::RoughPlace ShaderLensing::rough_place(
-		glm::vec3 place, glm::vec3 star, int order, ObserverMotion motion) {
-	return lensing_shader::rough_place(place, star, order, motion == ObserverMotion::kStatic);
+		glm::vec3 place, glm::vec3 star, int order, const ObserverField &observer) {
+	return lensing_shader::rough_place(place, star, order, lensing_shader::motion_of(observer));
 }
 
 ShaderLensing::Sky ShaderLensing::trace(
-		glm::vec3 place, glm::vec3 view_direction, ObserverMotion motion) const {
-	return lensing_shader::trace(
-			{&data.forward, data.columns}, place, view_direction, motion == ObserverMotion::kStatic);
+		glm::vec3 place, glm::vec3 view_direction, const ObserverField &observer, int effects) const {
+	return lensing_shader::trace({&data.forward, data.columns}, place, view_direction,
+			lensing_shader::motion_of(observer), effects);
 }
 
 } // namespace blackhole

@@ -38,20 +38,23 @@ public:
 	/// Unit direction, magnification and redshift in the observer's own frame.
 	using Image = lensing_shader::Image;
 	/// Image of order 0 to 3 of a star, all in single precision from place to result; position in r_s. The
-	/// magnification is kept finite on the caustic by the star's angular radius [rad].
-	[[nodiscard]] Image star_image(
-			glm::vec3 place, glm::vec3 star, int order, ObserverMotion motion, float angular_radius) const;
+	/// magnification is kept finite on the caustic by the star's angular radius [rad]. Only the given effects
+	/// (bits of effects.gdshaderinc) are on.
+	[[nodiscard]] Image star_image(glm::vec3 place, glm::vec3 star, int order, const ObserverField &observer,
+			float angular_radius, int effects = lensing_shader::kAllEffects) const;
 
-	/// About where the image is, without the tables, and the angle [rad] by which that may be wrong.
+	/// About where the image is in the radially moving frame, without the tables, and the angle [rad] by
+	/// which that may be wrong.
 	using RoughPlace = lensing_shader::RoughPlace;
 	[[nodiscard]] static RoughPlace rough_place(
-			glm::vec3 place, glm::vec3 star, int order, ObserverMotion motion);
+			glm::vec3 place, glm::vec3 star, int order, const ObserverField &observer);
 
-	/// Whether the ray is the hole's, and if not: the sky direction seen, dPhi/dxi in the rain frame,
-	/// redshift.
+	/// Whether the ray is the hole's, and if not: the sky direction seen, dPhi/dxi in the radially moving
+	/// frame, redshift.
 	using Sky = lensing_shader::Sky;
 	/// Where a viewing direction (observer's own frame) ends, all in single precision.
-	[[nodiscard]] Sky trace(glm::vec3 place, glm::vec3 view_direction, ObserverMotion motion) const;
+	[[nodiscard]] Sky trace(glm::vec3 place, glm::vec3 view_direction, const ObserverField &observer,
+			int effects = lensing_shader::kAllEffects) const;
 
 private:
 	const LensingTables &data;

@@ -6,16 +6,20 @@ target_sources(blackhole_core PRIVATE
 	${CMAKE_CURRENT_LIST_DIR}/table_file.cpp
 )
 
-# lensing_shader.cpp includes the shader's source with its literals marked as single precision.
-set(_lensing_shader "${PROJECT_SOURCE_DIR}/../addons/blackhole_sky/shaders/lensing.gdshaderinc")
-set(_lensing_include "${CMAKE_CURRENT_BINARY_DIR}/shader_source/lensing_shader_source.inc")
+# lensing_shader.cpp includes the shaders' sources with their literals marked as single precision.
 set(_shader_to_cpp "${CMAKE_CURRENT_LIST_DIR}/shader_to_cpp.cmake")
-add_custom_command(OUTPUT "${_lensing_include}"
-	COMMAND ${CMAKE_COMMAND} -DINPUT=${_lensing_shader} -DOUTPUT=${_lensing_include} -P "${_shader_to_cpp}"
-	DEPENDS "${_lensing_shader}" "${_shader_to_cpp}" VERBATIM)
-target_sources(blackhole_core PRIVATE "${_lensing_include}")
+set(_shader_sources)
+foreach(_name observer lensing effects)
+	set(_shader "${PROJECT_SOURCE_DIR}/../addons/blackhole_sky/shaders/${_name}.gdshaderinc")
+	set(_source "${CMAKE_CURRENT_BINARY_DIR}/shader_source/${_name}_source.inc")
+	add_custom_command(OUTPUT "${_source}"
+		COMMAND ${CMAKE_COMMAND} -DINPUT=${_shader} -DOUTPUT=${_source} -P "${_shader_to_cpp}"
+		DEPENDS "${_shader}" "${_shader_to_cpp}" VERBATIM)
+	list(APPEND _shader_sources "${_source}")
+endforeach()
+target_sources(blackhole_core PRIVATE ${_shader_sources})
 target_include_directories(blackhole_core PRIVATE "${CMAKE_CURRENT_BINARY_DIR}/shader_source")
-set_source_files_properties(${CMAKE_CURRENT_LIST_DIR}/lensing_shader.cpp PROPERTIES OBJECT_DEPENDS "${_lensing_include}")
+set_source_files_properties(${CMAKE_CURRENT_LIST_DIR}/lensing_shader.cpp PROPERTIES OBJECT_DEPENDS "${_shader_sources}")
 
 # The addon reads the committed table from its own folder.
 set(_addon_table "${PROJECT_SOURCE_DIR}/../addons/blackhole_sky/data/schwarzschild.lut")

@@ -3,6 +3,7 @@ blackhole_add_test(relativity_test
 	${CMAKE_CURRENT_LIST_DIR}/brute_force_geodesic.cpp
 	${CMAKE_CURRENT_LIST_DIR}/deflection_test.cpp
 	${CMAKE_CURRENT_LIST_DIR}/image_direction_test.cpp
+	${CMAKE_CURRENT_LIST_DIR}/observer_field_test.cpp
 	${CMAKE_CURRENT_LIST_DIR}/observer_test.cpp
 	${CMAKE_CURRENT_LIST_DIR}/orbital_angle_test.cpp
 	${CMAKE_CURRENT_LIST_DIR}/reference_columns_test.cpp

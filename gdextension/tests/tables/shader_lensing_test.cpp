@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace blackhole::test {
 namespace {
@@ -132,6 +133,125 @@ TEST(ShaderStarImage, IsWhereItsRoughPlaceSays) {
 		}
 	}
 	EXPECT_GT(told, 100000);
+}
+
+ObserverField field(ObserverMotion motion, double energy, const glm::dvec3 &vector, bool relative_to_static) {
+	ObserverField result(motion);
+	result.energy = energy;
+	result.axis = result.celerity = vector;
+	result.relative_to_static = relative_to_static;
+	return result;
+}
+
+const std::vector<ObserverField> &moving_observers() {
+	static const std::vector<ObserverField> fields = {
+			field(ObserverMotion::kInfall, 1.7, glm::dvec3(0.0), false),
+			field(ObserverMotion::kOrbit, 1.0, glm::dvec3(0.3, 1.0, 0.2), false),
+			field(ObserverMotion::kVelocity, 1.0, glm::dvec3(-0.4, 2.0, 0.7), false),
+			field(ObserverMotion::kVelocity, 1.0, glm::dvec3(0.9, -0.3, 0.5), true)};
+	return fields;
+}
+
+TEST(ShaderStarImage, AgreesForEveryMovingObserver) {
+	const ShaderLensing shader(baked());
+	for (const double r : {1.7, 3.0, 10.0, 1000.0}) {
+		const glm::vec3 position = kOutward * static_cast<float>(r);
+		for (const ObserverField &observer : moving_observers()) {
+			for (const float phi : {0.3F, 1.0F, 2.0F, 3.0F}) {
+				const glm::vec3 star = glm::normalize(kOutward * std::cos(phi) + kAcross * std::sin(phi));
+				for (int order = 0; order < 3; ++order) {
+					const auto exact = star_image(glm::dvec3(position), glm::dvec3(star), order, observer);
+					ASSERT_TRUE(exact) << exact.error;
+					const auto found = shader.star_image(position, star, order, observer, 0.0F);
+					EXPECT_LT(angle_between(glm::dvec3(found.direction), exact.value->direction), 6e-6)
+							<< "r " << r << " order " << order << " phi " << phi;
+					EXPECT_NEAR(found.magnification / exact.value->magnification, 1.0, 2e-3);
+					EXPECT_NEAR(found.redshift / exact.value->redshift, 1.0, 1e-4);
+					const auto back = shader.trace(position, found.direction, observer);
+					if (order == 0) {
+						EXPECT_FALSE(back.captured);
+						EXPECT_LT(angle_between(glm::dvec3(back.direction), glm::dvec3(star)), 3e-4);
+						EXPECT_NEAR(back.redshift / exact.value->redshift, 1.0, 1e-3);
+					}
+				}
+			}
+		}
+	}
+}
+
+// Bits of effects.gdshaderinc.
+constexpr int kDeflection = 1;
+constexpr int kAberration = 2;
+constexpr int kGravitationalShift = 4;
+constexpr int kDoppler = 8;
+constexpr int kMagnification = 16;
+constexpr int kAll = lensing_shader::kAllEffects;
+
+TEST(ShaderEffects, EachSwitchedOffAloneLeavesTheOthers) {
+	const ShaderLensing shader(baked());
+	for (const double r : {1.7, 4.0, 30.0}) {
+		const glm::dvec3 place = glm::dvec3(kOutward) * r;
+		const auto position = glm::vec3(place);
+		for (const ObserverField &observer : moving_observers()) {
+			const glm::vec3 star = glm::normalize(kOutward * std::cos(2.0F) + kAcross * std::sin(2.0F));
+			const auto all = *star_image(place, glm::dvec3(star), 0, observer).value;
+			const auto rest = *star_image(place, glm::dvec3(star), 0, ObserverMotion::kStatic).value;
+			const auto image = [&](int effects) {
+				return shader.star_image(position, star, 0, observer, 0.0F, effects);
+			};
+			const auto off = [](const glm::vec3 &found, const glm::dvec3 &expected) {
+				return angle_between(glm::dvec3(found), expected);
+			};
+			// Gravitational shift and Doppler effect: factors of g, and of nothing else.
+			const auto no_gravity = image(kAll & ~kGravitationalShift);
+			EXPECT_NEAR(no_gravity.redshift * rest.redshift / all.redshift, 1.0, 1e-4);
+			EXPECT_LT(off(no_gravity.direction, all.direction), 6e-6);
+			const auto no_doppler = image(kAll & ~kDoppler);
+			EXPECT_NEAR(no_doppler.redshift / rest.redshift, 1.0, 1e-5);
+			EXPECT_NEAR(no_doppler.magnification / all.magnification, 1.0, 2e-3);
+			EXPECT_NEAR(image(kAll & ~kGravitationalShift & ~kDoppler).redshift, 1.0, 1e-6);
+			// Aberration: the static observer's places and sizes, the moving one's colours.
+			const auto no_aberration = image(kAll & ~kAberration);
+			EXPECT_LT(off(no_aberration.direction, rest.direction), 6e-6);
+			EXPECT_NEAR(no_aberration.magnification / rest.magnification, 1.0, 2e-3);
+			EXPECT_NEAR(no_aberration.redshift / all.redshift, 1.0, 1e-4);
+			// Magnification: brightness alone.
+			const auto no_magnification = image(kAll & ~kMagnification);
+			EXPECT_EQ(no_magnification.magnification, 1.0F);
+			EXPECT_LT(off(no_magnification.direction, all.direction), 6e-6);
+			// Deflection: special relativity between the static observer, who sees the flat sky, and this
+			// one.
+			const auto seen_from_rest = *field_celerity(ObserverMotion::kStatic, place).value;
+			const auto from_rain = *field_celerity(observer, place).value;
+			const glm::dvec3 in_rain = boost_direction(glm::dvec3(star), -seen_from_rest);
+			const auto no_deflection = image(kAll & ~kDeflection);
+			EXPECT_LT(off(no_deflection.direction, boost_direction(in_rain, from_rain)), 6e-6) << r;
+			const double doppler =
+					doppler_factor(in_rain, from_rain) / doppler_factor(in_rain, seen_from_rest);
+			EXPECT_NEAR(no_deflection.redshift / (doppler * rest.redshift), 1.0, 1e-4);
+			EXPECT_NEAR(no_deflection.magnification * doppler * doppler, 1.0, 1e-3);
+			// Neither: the flat sky.
+			EXPECT_EQ(image(kAll & ~kDeflection & ~kAberration).direction, star);
+		}
+	}
+}
+
+TEST(ShaderEffects, BackgroundAndStarsAgree) {
+	const ShaderLensing shader(baked());
+	for (const double r : {0.6, 1.7, 8.0}) {
+		const auto position = kOutward * static_cast<float>(r);
+		for (const ObserverField &observer : moving_observers()) {
+			const glm::vec3 star = glm::normalize(kOutward * std::cos(1.2F) + kAcross * std::sin(1.2F));
+			for (int effects = 0; effects <= kAll; ++effects) {
+				const auto image = shader.star_image(position, star, 0, observer, 0.0F, effects);
+				const auto ray = shader.trace(position, image.direction, observer, effects);
+				EXPECT_FALSE(ray.captured);
+				EXPECT_LT(angle_between(glm::dvec3(ray.direction), glm::dvec3(star)), 3e-5)
+						<< "r " << r << " effects " << effects;
+				EXPECT_NEAR(ray.redshift / image.redshift, 1.0, 1e-4) << "r " << r << " effects " << effects;
+			}
+		}
+	}
 }
 
 TEST(ShaderTrace, AgreesWithTheExactRay) {

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#include "src/sky_settings.h"
+
+#include <godot_cpp/classes/rendering_server.hpp>
+#include <godot_cpp/variant/vector4.hpp>
+
+using namespace godot;
+
+void set_sky_uniforms(const RID &material, const SkySettings &settings) {
+	RenderingServer *server = RenderingServer::get_singleton();
+	const lensing_shader::Motion motion = lensing_shader::motion_of(settings.observer);
+	const glm::vec4 &given = motion.parameters;
+	server->material_set_param(material, "_hole_position", settings.hole_position);
+	server->material_set_param(material, "_inverse_radius", settings.inverse_radius);
+	server->material_set_param(material, "_observer_motion", motion.code);
+	server->material_set_param(material, "_observer_parameters", Vector4(given.x, given.y, given.z, given.w));
+	server->material_set_param(material, "_effects", settings.effects);
+	server->material_set_param(material, "_sky_to_world", settings.sky_to_world);
+	server->material_set_param(material, "_saturation", settings.saturation);
+}
