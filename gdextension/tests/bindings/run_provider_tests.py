@@ -69,6 +69,7 @@ def build(options: Options) -> Path:
     command = ["cmake", "-S", str(HERE), "-B", str(options.build_dir), "-DCMAKE_BUILD_TYPE=Debug"]
     if not (options.build_dir / "CMakeCache.txt").exists() and shutil.which("ninja"):
         command += ["-G", "Ninja"]
+    command.append(f"-DGODOT_EXECUTABLE={options.godot}")
     command.append(f"-DPROBE_SANITIZE={'address,undefined' if options.asan else ''}")
     if options.godot_cpp_dir is not None:
         options.build_dir.mkdir(parents=True, exist_ok=True)
@@ -82,8 +83,6 @@ def build(options: Options) -> Path:
         ]
         run_checked(make_profile, "Writing the build profile", cwd=BINDINGS)
         command += [f"-DGODOT_CPP_DIR={options.godot_cpp_dir}", f"-DGODOTCPP_BUILD_PROFILE={profile}"]
-    else:
-        command.append(f"-DGODOT_EXECUTABLE={options.godot}")
     run_checked(command + list(options.cmake_arguments), "Configuring the test extension")
     run_checked(
         ["cmake", "--build", str(options.build_dir), "--parallel", str(options.jobs), "--target", "probe"],
