@@ -69,6 +69,7 @@ def build(options: Options) -> Path:
     command = ["cmake", "-S", str(HERE), "-B", str(options.build_dir), "-DCMAKE_BUILD_TYPE=Debug"]
     if not (options.build_dir / "CMakeCache.txt").exists() and shutil.which("ninja"):
         command += ["-G", "Ninja"]
+    command.append(f"-DGODOT_EXECUTABLE={options.godot}")
     command.append(f"-DPROBE_SANITIZE={'address,undefined' if options.asan else ''}")
     if options.godot_cpp_dir is not None:
         options.build_dir.mkdir(parents=True, exist_ok=True)
@@ -82,8 +83,6 @@ def build(options: Options) -> Path:
         ]
         run_checked(make_profile, "Writing the build profile", cwd=BINDINGS)
         command += [f"-DGODOT_CPP_DIR={options.godot_cpp_dir}", f"-DGODOTCPP_BUILD_PROFILE={profile}"]
-    else:
-        command.append(f"-DGODOT_EXECUTABLE={options.godot}")
     run_checked(command + list(options.cmake_arguments), "Configuring the test extension")
     run_checked(
         ["cmake", "--build", str(options.build_dir), "--parallel", str(options.jobs), "--target", "probe"],
@@ -111,7 +110,8 @@ def sanitizer_environment(build_dir: Path, find_leaks: bool) -> dict[str, str]:
     """What lets an engine that is not sanitized itself load a sanitized extension.
 
     The engine opens extensions with RTLD_DEEPBIND, which the sanitizer refuses; a small library in front takes
-    that flag away.
+    that flag away. Where leaks are looked for, the extension stays in memory after the engine closes it; elsewhere
+    it goes, so that the editor's reloading loads it anew.
     """
     shim = build_dir / "libno_deepbind.so"
     run_checked(
@@ -125,6 +125,7 @@ def sanitizer_environment(build_dir: Path, find_leaks: bool) -> dict[str, str]:
         log.unlink()
     common = f"log_path={build_dir / 'sanitizer.log'}:exitcode={SANITIZER_EXIT}"
     return {
+        "KEEP_LIBRARIES": str(int(find_leaks)),  # whose stacks the report of leaks must be able to name
         "LD_PRELOAD": ":".join([str(shim), *runtimes]),
         "ASAN_OPTIONS": f"{common}:detect_leaks={int(find_leaks)}:verify_asan_link_order=0",
         "UBSAN_OPTIONS": f"{common}:halt_on_error=1:print_stacktrace=1",
