@@ -54,7 +54,8 @@ def join_xhip(stars: dict[int, star_file.Star], features: list[dict]) -> None:
 def build(cache: pathlib.Path) -> bytes:
     """The bytes of hipparcos.stars."""
     stars = read_hip2(packages.hipparcos_lines(cache))
-    xhip, names = packages.celestial_files(cache)
+    # V, B-V and places of XHIP (CDS V/137D), and proper names.
+    xhip, names = packages.celestial_files(cache, "stars.14.json", "starnames.json")
     join_xhip(stars, json.loads(xhip)["features"])
     if len(stars) != STAR_COUNT:
         raise packages.PackageError(f"{len(stars)} stars instead of {STAR_COUNT}: the packages are not the known ones")

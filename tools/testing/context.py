@@ -62,7 +62,7 @@ class Context:
 
 
 def sources(*suffixes: str, under: str = "") -> list[Path]:
-    """The project's own files with one of these endings, without what git ignores."""
+    """The project's own files with one of these endings (with none named: all), without what git ignores."""
     listed = subprocess.run(
         ["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard", "--", under or "."],
         cwd=paths.ROOT, stdout=subprocess.PIPE, check=False,
@@ -72,7 +72,7 @@ def sources(*suffixes: str, under: str = "") -> list[Path]:
     else:  # an unpacked archive has no git
         skipped = ("build", "out", ".godot")
         found = (p for p in (paths.ROOT / under).rglob("*") if p.relative_to(paths.ROOT).parts[0] not in skipped)
-    return sorted(path for path in set(found) if path.is_file() and path.name.endswith(tuple(suffixes)))
+    return sorted(path for path in set(found) if path.is_file() and (not suffixes or path.name.endswith(suffixes)))
 
 
 def relative(path: Path) -> str:

@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: MIT
+class_name StarNames
+extends RefCounted
+## Proper names of bright stars with their places, read from a table like the one in the addon's
+## data.
+##
+## Comma-separated text; the first line is [code]hip,name,ra_deg,dec_deg,vmag[/code]: Hipparcos
+## number, name, place in degrees at J2000.0, V magnitude. Brightest first.
+
+## The names that come with the addon: all named stars down to magnitude 4.5.
+const FILE: String = "res://addons/blackhole_sky/data/star_names.csv"
+const _HEADER: PackedStringArray = ["hip", "name", "ra_deg", "dec_deg", "vmag"]
+const _REMEDY: String = "Copy the file from the addon again; the class reference tells the format."
+
+## Hipparcos numbers. All four lists are equally long, and empty when the file was refused.
+var hips: PackedInt32Array
+## Proper names.
+var names: PackedStringArray
+## Unit vectors.
+var directions: PackedVector3Array
+## V magnitudes, rising.
+var magnitudes: PackedFloat32Array
+## Why the file was refused, with the remedy; empty when it is fine.
+var error: String = ""
+
+var _path: String
+
+
+## Reads a file. The result is never null: see [member error].
+static func load_file(path: String = FILE) -> StarNames:
+	var loaded := StarNames.new()
+	loaded._path = path
+	loaded._read(FileAccess.open(path, FileAccess.READ))
+	if not loaded.error.is_empty():
+		loaded._clear()
+	return loaded
+
+
+## How many of the first stars are at least as bright as a magnitude.
+func count_to(magnitude: float) -> int:
+	return magnitudes.bsearch(magnitude, false)
+
+
+func _read(file: FileAccess) -> void:
+	if file == null or file.get_length() == 0:
+		error = (
+			"Star name file %s is missing, unreadable or empty. Check the path%s."
+			% [_path, "; in an export, whether its import type is 'Keep File'"]
+		)
+		return
+	if file.get_csv_line() != _HEADER:
+		_refuse("its first line is not %s" % ",".join(_HEADER))
+		return
+	var line := 1
+	while file.get_position() < file.get_length() and error.is_empty():
+		line += 1
+		_read_star(file.get_csv_line(), line)
+	if names.is_empty():
+		_refuse("it names no star")
+
+
+func _read_star(cells: PackedStringArray, line: int) -> void:
+	if cells.size() != _HEADER.size():
+		_refuse("line %d has %d values instead of %d" % [line, cells.size(), _HEADER.size()])
+		return
+	if not cells[0].is_valid_int() or cells[0].to_int() <= 0 or cells[1].is_empty():
+		_refuse("line %d lacks a Hipparcos number or a name" % line)
+		return
+	for cell in cells.slice(2):
+		if not cell.is_valid_float() or not is_finite(cell.to_float()):
+			_refuse("line %d: '%s' is no number" % [line, cell])
+			return
+	if not SkyAxes.is_place(cells[2].to_float(), cells[3].to_float()):
+		_refuse("line %d: %s, %s is no place in degrees" % [line, cells[2], cells[3]])
+		return
+	var magnitude := cells[4].to_float()
+	if absf(magnitude) > 50.0:
+		_refuse("line %d: %s is no magnitude of a star" % [line, cells[4]])
+		return
+	if not magnitudes.is_empty() and magnitude < magnitudes[-1] - 1e-5:
+		_refuse("line %d is brighter than the line before it" % line)
+		return
+	hips.append(cells[0].to_int())
+	names.append(cells[1])
+	directions.append(SkyAxes.direction(cells[2].to_float(), cells[3].to_float()))
+	magnitudes.append(magnitude)
+
+
+func _clear() -> void:
+	hips.clear()
+	names.clear()
+	directions.clear()
+	magnitudes.clear()
+
+
+func _refuse(reason: String) -> void:
+	if error.is_empty():
+		error = "Star name file %s cannot be used: %s. %s" % [_path, reason, _REMEDY]
