@@ -20,6 +20,7 @@ VIRTUAL_SCREEN = ["xvfb", "xauth"]
 SOFTWARE_DRIVERS = ["libgl1", "libgl1-mesa-dri", "libvulkan1", "mesa-vulkan-drivers"]
 CHECKS = [
     "git", "libgtest-dev", "libbenchmark-dev", "clang-format", "clang-tidy", "shellcheck", "python3-venv", "python3-numpy",
+    "python3-jsonschema",
 ]
 
 _DPKG_STATUS = Path("/var/lib/dpkg/status")
