@@ -11,6 +11,7 @@
 #include <godot_cpp/classes/world3d.hpp>
 #include <godot_cpp/variant/callable_method_pointer.hpp>
 
+#include "core/relativity/physical_scale.h"
 #include "core/relativity/shadow.h"
 #include "src/glm_adapter.h"
 #include "src/planck_texture.h"
@@ -207,6 +208,22 @@ void BlackHoleSky::set_table(const Ref<LensingTable> &p_table) {
 void BlackHoleSky::set_schwarzschild_radius(double metres) {
 	schwarzschild_radius = limited(metres, 1e-6, kLargest, schwarzschild_radius);
 	settings_changed();
+}
+
+void BlackHoleSky::set_mass_solar(double masses) {
+	mass_solar = limited(masses, 1e-12, kLargest, mass_solar);
+}
+
+double BlackHoleSky::get_length_unit_km() const {
+	return blackhole::PhysicalScale::of_mass(mass_solar).value->metres() / 1000.0;
+}
+
+double BlackHoleSky::get_time_unit_seconds() const {
+	return blackhole::PhysicalScale::of_mass(mass_solar).value->seconds();
+}
+
+double BlackHoleSky::get_acceleration_unit_g() const {
+	return blackhole::PhysicalScale::of_mass(mass_solar).value->standard_gravities();
 }
 
 void BlackHoleSky::set_lensing(double fraction) {

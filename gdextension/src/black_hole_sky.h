@@ -37,6 +37,11 @@ public:
 
 	void set_schwarzschild_radius(double metres);
 	double get_schwarzschild_radius() const { return schwarzschild_radius; }
+	void set_mass_solar(double masses);
+	double get_mass_solar() const { return mass_solar; }
+	double get_length_unit_km() const;
+	double get_time_unit_seconds() const;
+	double get_acceleration_unit_g() const;
 	void set_lensing(double fraction);
 	double get_lensing() const { return lensing; }
 	void set_observer_motion(LensingTable::Motion motion);
@@ -114,6 +119,7 @@ private:
 	SkySettings settings;
 
 	double schwarzschild_radius = 1.0;
+	double mass_solar = 10.0;
 	double lensing = 1.0;
 	godot::Ref<SkyObserver> observer; ///< null: static
 	int effects = lensing_shader::kAllEffects;

@@ -56,6 +56,11 @@ void BlackHoleSky::_bind_methods() {
 	ClassDB::bind_method(
 			D_METHOD("set_schwarzschild_radius", "metres"), &BlackHoleSky::set_schwarzschild_radius);
 	ClassDB::bind_method(D_METHOD("get_schwarzschild_radius"), &BlackHoleSky::get_schwarzschild_radius);
+	ClassDB::bind_method(D_METHOD("set_mass_solar", "masses"), &BlackHoleSky::set_mass_solar);
+	ClassDB::bind_method(D_METHOD("get_mass_solar"), &BlackHoleSky::get_mass_solar);
+	ClassDB::bind_method(D_METHOD("get_length_unit_km"), &BlackHoleSky::get_length_unit_km);
+	ClassDB::bind_method(D_METHOD("get_time_unit_seconds"), &BlackHoleSky::get_time_unit_seconds);
+	ClassDB::bind_method(D_METHOD("get_acceleration_unit_g"), &BlackHoleSky::get_acceleration_unit_g);
 	ClassDB::bind_method(D_METHOD("set_lensing", "fraction"), &BlackHoleSky::set_lensing);
 	ClassDB::bind_method(D_METHOD("get_lensing"), &BlackHoleSky::get_lensing);
 	ClassDB::bind_method(D_METHOD("set_observer_motion", "motion"), &BlackHoleSky::set_observer_motion);
@@ -108,6 +113,9 @@ void BlackHoleSky::_bind_methods() {
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "schwarzschild_radius", PROPERTY_HINT_RANGE,
 						 "0.001,1000,0.001,or_greater,exp,suffix:m"),
 			"set_schwarzschild_radius", "get_schwarzschild_radius");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "mass_solar", PROPERTY_HINT_RANGE,
+						 "1,10000000000,0.1,or_less,or_greater,exp,suffix:M☉"),
+			"set_mass_solar", "get_mass_solar");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "lensing", PROPERTY_HINT_RANGE, "0,1,0.001"), "set_lensing",
 			"get_lensing");
 	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "observer", PROPERTY_HINT_RESOURCE_TYPE, "SkyObserver"),

@@ -2,8 +2,11 @@
 #include "src/register_types.h"
 
 #include "src/black_hole_sky.h"
+#include "src/circular_orbit_path.h"
 #include "src/lensing_table.h"
+#include "src/piloted_observer.h"
 #include "src/planck_texture.h"
+#include "src/radial_fall_path.h"
 #include "src/sky_observer.h"
 #include "src/star_catalogue.h"
 
@@ -20,6 +23,9 @@ void initialize_blackhole_sky(godot::ModuleInitializationLevel level) {
 	GDREGISTER_CLASS(LensingTable);
 	GDREGISTER_CLASS(SkyObserver);
 	GDREGISTER_CLASS(BlackHoleSky);
+	GDREGISTER_CLASS(RadialFallPath);
+	GDREGISTER_CLASS(CircularOrbitPath);
+	GDREGISTER_CLASS(PilotedObserver);
 }
 
 void uninitialize_blackhole_sky(godot::ModuleInitializationLevel level) {
