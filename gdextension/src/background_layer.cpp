@@ -66,6 +66,8 @@ void BackgroundLayer::ensure() {
 			"res://addons/blackhole_sky/shaders/background_lensed.gdshader");
 	general_shader = ResourceLoader::get_singleton()->load(
 			"res://addons/blackhole_sky/shaders/background_general.gdshader");
+	map_shader = ResourceLoader::get_singleton()->load(
+			"res://addons/blackhole_sky/shaders/background_map.gdshader");
 	flat_shader = ResourceLoader::get_singleton()->load(
 			"res://addons/blackhole_sky/shaders/background_flat.gdshader");
 	material = server->material_create();
@@ -145,14 +147,24 @@ void BackgroundLayer::set_source(int kind, const RID &panorama, double luminance
 	show();
 }
 
+RID BackgroundLayer::shader(SkyShaders needed) const {
+	switch (needed) {
+		case SkyShaders::kRadial:
+			return lensed_shader->get_rid();
+		case SkyShaders::kGeneral:
+			return general_shader->get_rid();
+		case SkyShaders::kMap:
+			return map_shader->get_rid();
+		default:
+			return flat_shader->get_rid();
+	}
+}
+
 void BackgroundLayer::apply(const SkySettings &settings) {
 	ensure();
 	RenderingServer *server = RenderingServer::get_singleton();
 	exposure = settings.exposure;
-	const Ref<Shader> &shader = settings.shaders == SkyShaders::kFlat ? flat_shader
-			: settings.shaders == SkyShaders::kRadial                 ? lensed_shader
-																	  : general_shader;
-	server->material_set_shader(material, shader->get_rid());
+	server->material_set_shader(material, shader(settings.shaders));
 	set_sky_uniforms(material, settings);
 	server->material_set_param(material, "_panorama_luminance", panorama_luminance * exposure);
 	server->instance_set_layer_mask(instance, settings.render_layers);

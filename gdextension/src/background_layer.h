@@ -29,10 +29,12 @@ public:
 
 private:
 	void ensure();
+	godot::RID shader(SkyShaders needed) const;
 	void show();
 
 	godot::Ref<godot::Shader> lensed_shader;
 	godot::Ref<godot::Shader> general_shader;
+	godot::Ref<godot::Shader> map_shader;
 	godot::Ref<godot::Shader> flat_shader;
 	godot::RID material;
 	godot::RID quad;

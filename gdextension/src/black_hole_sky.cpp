@@ -39,6 +39,9 @@ bool BlackHoleSky::is_lensing() const {
 }
 
 SkyShaders BlackHoleSky::shaders_needed() const {
+	if (projection != PROJECTION_PERSPECTIVE) {
+		return SkyShaders::kMap;
+	}
 	const LensingTable::Motion motion = get_observer_motion();
 	const bool radial = motion != LensingTable::MOTION_ORBIT && motion != LensingTable::MOTION_VELOCITY;
 	if (is_lensing()) {
@@ -120,7 +123,12 @@ void BlackHoleSky::apply_settings() {
 	settings.observer.axis = to_glm(settings.sky_to_world.xform(to_godot(settings.observer.axis)));
 	settings.observer.celerity = to_glm(settings.sky_to_world.xform(to_godot(settings.observer.celerity)));
 	settings.effects = effects;
+	settings.projection = projection;
 	if (!settings.lensing) {
+		// Only a given velocity is one without the hole.
+		if (get_observer_motion() != LensingTable::MOTION_VELOCITY) {
+			settings.observer = blackhole::ObserverField();
+		}
 		// A place where the hole is of no account, and no rain falls.
 		settings.hole_position = Vector3(0, 1e9, 0);
 		settings.inverse_radius = 1.0;
@@ -269,6 +277,11 @@ void BlackHoleSky::set_effect(int effect, bool on) {
 
 void BlackHoleSky::set_higher_orders(bool shown) {
 	higher_orders = shown;
+	settings_changed();
+}
+
+void BlackHoleSky::set_projection(Projection kind) {
+	projection = kind;
 	settings_changed();
 }
 

@@ -31,6 +31,16 @@ public:
 		EFFECT_DOPPLER = 8,
 		EFFECT_MAGNIFICATION = 16,
 	};
+	/// How directions are laid out on the picture: the numbers of map_projection.gdshaderinc.
+	enum Projection {
+		PROJECTION_PERSPECTIVE = 0,
+		PROJECTION_EQUIRECTANGULAR = 1,
+		PROJECTION_MERCATOR = 2,
+		PROJECTION_MOLLWEIDE = 3,
+		PROJECTION_FISHEYE_180 = 4,
+		PROJECTION_FISHEYE_220 = 5,
+		PROJECTION_FISHEYE_360 = 6,
+	};
 	enum Background { BACKGROUND_NONE = 0, BACKGROUND_GRID = 1, BACKGROUND_PANORAMA = 2 };
 
 	BlackHoleSky();
@@ -73,6 +83,8 @@ public:
 	void set_redshift_map(bool shown);
 	bool is_redshift_map_shown() const { return redshift_map; }
 
+	void set_projection(Projection kind);
+	Projection get_projection() const { return projection; }
 	void set_exposure(double ev);
 	double get_exposure() const { return exposure; }
 	void set_background(Background kind);
@@ -125,6 +137,7 @@ private:
 	int effects = lensing_shader::kAllEffects;
 	bool higher_orders = true;
 	double saturation = 1.0;
+	Projection projection = PROJECTION_PERSPECTIVE;
 	bool redshift_map = false;
 	godot::Ref<LensingTable> table;
 	godot::Ref<StarCatalogue> catalogue;
@@ -146,3 +159,4 @@ private:
 
 VARIANT_ENUM_CAST(BlackHoleSky::Background);
 VARIANT_ENUM_CAST(BlackHoleSky::Effect);
+VARIANT_ENUM_CAST(BlackHoleSky::Projection);

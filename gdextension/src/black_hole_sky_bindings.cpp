@@ -89,6 +89,8 @@ void BlackHoleSky::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_saturation"), &BlackHoleSky::get_saturation);
 	ClassDB::bind_method(D_METHOD("set_redshift_map", "shown"), &BlackHoleSky::set_redshift_map);
 	ClassDB::bind_method(D_METHOD("is_redshift_map_shown"), &BlackHoleSky::is_redshift_map_shown);
+	ClassDB::bind_method(D_METHOD("set_projection", "kind"), &BlackHoleSky::set_projection);
+	ClassDB::bind_method(D_METHOD("get_projection"), &BlackHoleSky::get_projection);
 	ClassDB::bind_method(D_METHOD("set_exposure", "ev"), &BlackHoleSky::set_exposure);
 	ClassDB::bind_method(D_METHOD("get_exposure"), &BlackHoleSky::get_exposure);
 	ClassDB::bind_method(D_METHOD("set_background", "kind"), &BlackHoleSky::set_background);
@@ -155,6 +157,10 @@ void BlackHoleSky::_bind_methods() {
 	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "effect_higher_orders"), "set_higher_orders",
 			"are_higher_orders_shown");
 	ADD_GROUP("Picture", "");
+	ADD_PROPERTY(
+			PropertyInfo(Variant::INT, "projection", PROPERTY_HINT_ENUM,
+					"Perspective,Equirectangular,Mercator,Mollweide,Fisheye 180°,Fisheye 220°,Fisheye 360°"),
+			"set_projection", "get_projection");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "exposure", PROPERTY_HINT_RANGE,
 						 "-10,10,0.1,or_less,or_greater,suffix:EV"),
 			"set_exposure", "get_exposure");
@@ -178,6 +184,13 @@ void BlackHoleSky::_bind_methods() {
 	BIND_ENUM_CONSTANT(EFFECT_GRAVITATIONAL_SHIFT);
 	BIND_ENUM_CONSTANT(EFFECT_DOPPLER);
 	BIND_ENUM_CONSTANT(EFFECT_MAGNIFICATION);
+	BIND_ENUM_CONSTANT(PROJECTION_PERSPECTIVE);
+	BIND_ENUM_CONSTANT(PROJECTION_EQUIRECTANGULAR);
+	BIND_ENUM_CONSTANT(PROJECTION_MERCATOR);
+	BIND_ENUM_CONSTANT(PROJECTION_MOLLWEIDE);
+	BIND_ENUM_CONSTANT(PROJECTION_FISHEYE_180);
+	BIND_ENUM_CONSTANT(PROJECTION_FISHEYE_220);
+	BIND_ENUM_CONSTANT(PROJECTION_FISHEYE_360);
 	BIND_ENUM_CONSTANT(BACKGROUND_NONE);
 	BIND_ENUM_CONSTANT(BACKGROUND_GRID);
 	BIND_ENUM_CONSTANT(BACKGROUND_PANORAMA);

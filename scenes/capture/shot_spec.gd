@@ -11,9 +11,18 @@ enum Background { NONE, GRID, MILKY_WAY, FILE }
 
 const SCHEMA_FILE: String = "res://scenes/capture/shot.schema.json"
 const BACKGROUNDS: PackedStringArray = ["none", "grid", "milky_way"]
+## In the order of BlackHoleSky.Projection.
+const PROJECTIONS: PackedStringArray = [
+	"perspective",
+	"equirectangular",
+	"mercator",
+	"mollweide",
+	"fisheye_180",
+	"fisheye_220",
+	"fisheye_360",
+]
 ## What the schema lets in and nobody draws yet.
 const NOT_YET: PackedStringArray = [
-	"projection",
 	"exposure.auto",
 	"psf",
 	"overlays",
@@ -22,6 +31,7 @@ const NOT_YET: PackedStringArray = [
 
 var resolution := Vector2i(1280, 720)
 var vertical_fov_deg: float = 60.0
+var projection: BlackHoleSky.Projection = BlackHoleSky.PROJECTION_PERSPECTIVE
 ## Where the eye is, in double precision.
 var position: PackedFloat64Array = [0.0, 0.0, 10.0]
 ## Viewing direction and the picture's upward direction, unit vectors, in double precision.
@@ -82,6 +92,7 @@ func _read(data: Dictionary) -> void:
 	resolution = Vector2i(size[0], size[1])
 	vertical_fov_deg = data.get("vertical_fov_deg", vertical_fov_deg)
 	position = data.get("position_rs", position)
+	projection = PROJECTIONS.find(data.get("projection", PROJECTIONS[0])) as BlackHoleSky.Projection
 	renderer = data.get("renderer", renderer)
 	renderer_named = data.has("renderer")
 	_check_place()

@@ -76,6 +76,7 @@ func _dress(spec: ShotSpec, refusal: PackedStringArray) -> bool:
 	# Without the hole the eye is at rest.
 	_sky.observer = spec.observer.to_sky_observer() if spec.lensing else null
 	spec.effects.apply_to(_sky)
+	_sky.projection = spec.projection
 	return _set_background(spec, refusal)
 
 
