@@ -100,7 +100,7 @@ void BackgroundLayer::clear() {
 void BackgroundLayer::show() {
 	if (instance.is_valid()) {
 		RenderingServer::get_singleton()->instance_set_visible(
-				instance, layer_shown && (source != 0 || redshift_map));
+				instance, layer_shown && (source != 0 || redshift_map || overlaid));
 	}
 }
 
@@ -115,11 +115,18 @@ void BackgroundLayer::set_scenario(const RID &p_scenario) {
 	RenderingServer::get_singleton()->instance_set_scenario(instance, scenario);
 }
 
-void BackgroundLayer::set_tables(const RID &forward_table, const RID &planck_table) {
+void BackgroundLayer::set_tables(
+		const RID &forward_table, const RID &inverse_table, const RID &planck_table) {
 	ensure();
 	RenderingServer *server = RenderingServer::get_singleton();
 	server->material_set_param(material, "_forward_table", forward_table);
+	server->material_set_param(material, "_inverse_table", inverse_table);
 	server->material_set_param(material, "_planck_table", planck_table);
+}
+
+void BackgroundLayer::set_figure_field(const RID &cube_map) {
+	ensure();
+	RenderingServer::get_singleton()->material_set_param(material, "_figure_field", cube_map);
 }
 
 void BackgroundLayer::set_panorama_is_light(bool is_light) {
@@ -166,6 +173,11 @@ void BackgroundLayer::apply(const SkySettings &settings) {
 	exposure = settings.exposure;
 	server->material_set_shader(material, shader(settings.shaders));
 	set_sky_uniforms(material, settings);
+	server->material_set_param(material, "_overlays", settings.overlays);
+	server->material_set_param(material, "_overlay_width", settings.overlay_width);
+	server->material_set_param(material, "_has_hole", settings.lensing);
+	overlaid = settings.overlays != 0;
+	show();
 	server->material_set_param(material, "_panorama_luminance", panorama_luminance * exposure);
 	server->instance_set_layer_mask(instance, settings.render_layers);
 }

@@ -45,10 +45,12 @@ SkyShaders BlackHoleSky::shaders_needed() const {
 	const LensingTable::Motion motion = get_observer_motion();
 	const bool radial = motion != LensingTable::MOTION_ORBIT && motion != LensingTable::MOTION_VELOCITY;
 	if (is_lensing()) {
-		return radial && effects == lensing_shader::kAllEffects ? SkyShaders::kRadial : SkyShaders::kGeneral;
+		const bool usual = radial && effects == lensing_shader::kAllEffects && overlays == 0;
+		return usual ? SkyShaders::kRadial : SkyShaders::kGeneral;
 	}
 	// Without the hole a given velocity still aberrates and shifts; the other motions are the hole's.
-	return motion == LensingTable::MOTION_VELOCITY ? SkyShaders::kGeneral : SkyShaders::kFlat;
+	const bool flies = motion == LensingTable::MOTION_VELOCITY;
+	return flies || overlays != 0 ? SkyShaders::kGeneral : SkyShaders::kFlat;
 }
 
 void BlackHoleSky::enter_world() {
@@ -124,6 +126,8 @@ void BlackHoleSky::apply_settings() {
 	settings.observer.celerity = to_glm(settings.sky_to_world.xform(to_godot(settings.observer.celerity)));
 	settings.effects = effects;
 	settings.projection = projection;
+	settings.overlays = figure_field.is_valid() ? overlays : overlays & ~OVERLAY_CONSTELLATIONS;
+	settings.overlay_width = overlay_width;
 	if (!settings.lensing) {
 		// Only a given velocity is one without the hole.
 		if (get_observer_motion() != LensingTable::MOTION_VELOCITY) {
@@ -184,7 +188,7 @@ void BlackHoleSky::table_changed() {
 		forward = table->get_forward_texture()->get_rid();
 	}
 	star_layer.set_textures(inverse, planck_texture()->get_rid());
-	background_layer.set_tables(forward, planck_texture()->get_rid());
+	background_layer.set_tables(forward, inverse, planck_texture()->get_rid());
 	settings_changed();
 	update_configuration_warnings();
 }
@@ -278,6 +282,24 @@ void BlackHoleSky::set_effect(int effect, bool on) {
 void BlackHoleSky::set_higher_orders(bool shown) {
 	higher_orders = shown;
 	settings_changed();
+}
+
+void BlackHoleSky::set_overlays(int shown) {
+	overlays = shown;
+	settings_changed();
+	update_configuration_warnings();
+}
+
+void BlackHoleSky::set_overlay_width(double pixels) {
+	overlay_width = limited(pixels, 0.5, 20.0, overlay_width);
+	settings_changed();
+}
+
+void BlackHoleSky::set_figure_field(const Ref<Cubemap> &field) {
+	figure_field = field;
+	background_layer.set_figure_field(field.is_valid() ? field->get_rid() : RID());
+	settings_changed();
+	update_configuration_warnings();
 }
 
 void BlackHoleSky::set_projection(Projection kind) {

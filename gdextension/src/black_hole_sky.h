@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include <godot_cpp/classes/cubemap.hpp>
 #include <godot_cpp/classes/node3d.hpp>
 #include <godot_cpp/classes/ref.hpp>
 #include <godot_cpp/classes/texture2d.hpp>
@@ -30,6 +31,17 @@ public:
 		EFFECT_GRAVITATIONAL_SHIFT = 4,
 		EFFECT_DOPPLER = 8,
 		EFFECT_MAGNIFICATION = 16,
+	};
+	/// Lines over the sky: the bits of overlays.gdshaderinc.
+	enum Overlay {
+		OVERLAY_CONSTELLATIONS = 1,
+		OVERLAY_EQUATORIAL_GRID = 2,
+		OVERLAY_GALACTIC_GRID = 4,
+		OVERLAY_SHADOW_EDGE = 8,
+		OVERLAY_EINSTEIN_RINGS = 16,
+		OVERLAY_MOTION = 32,
+		OVERLAY_SHADOW_DIAMETER = 64,
+		OVERLAY_STRAIGHT_LIGHT = 128,
 	};
 	/// How directions are laid out on the picture: the numbers of map_projection.gdshaderinc.
 	enum Projection {
@@ -83,6 +95,12 @@ public:
 	void set_redshift_map(bool shown);
 	bool is_redshift_map_shown() const { return redshift_map; }
 
+	void set_overlays(int shown);
+	int get_overlays() const { return overlays; }
+	void set_overlay_width(double pixels);
+	double get_overlay_width() const { return overlay_width; }
+	void set_figure_field(const godot::Ref<godot::Cubemap> &field);
+	godot::Ref<godot::Cubemap> get_figure_field() const { return figure_field; }
 	void set_projection(Projection kind);
 	Projection get_projection() const { return projection; }
 	void set_exposure(double ev);
@@ -138,6 +156,9 @@ private:
 	bool higher_orders = true;
 	double saturation = 1.0;
 	Projection projection = PROJECTION_PERSPECTIVE;
+	int overlays = 0;
+	double overlay_width = 1.5;
+	godot::Ref<godot::Cubemap> figure_field;
 	bool redshift_map = false;
 	godot::Ref<LensingTable> table;
 	godot::Ref<StarCatalogue> catalogue;
@@ -160,3 +181,4 @@ private:
 VARIANT_ENUM_CAST(BlackHoleSky::Background);
 VARIANT_ENUM_CAST(BlackHoleSky::Effect);
 VARIANT_ENUM_CAST(BlackHoleSky::Projection);
+VARIANT_ENUM_CAST(BlackHoleSky::Overlay);

@@ -23,6 +23,11 @@ PackedStringArray BlackHoleSky::_get_configuration_warnings() const {
 		warnings.push_back("The background is a panorama, but none is set. Set `panorama`, or choose another "
 						   "background.");
 	}
+	if ((overlays & OVERLAY_CONSTELLATIONS) != 0 && figure_field.is_null()) {
+		warnings.push_back("Constellation figures are switched on, but there are none. Give `figure_field` "
+						   "the cube map of "
+						   "ConstellationOverlay.bake().");
+	}
 	if (!is_inside_tree()) {
 		return warnings;
 	}
@@ -89,6 +94,12 @@ void BlackHoleSky::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_saturation"), &BlackHoleSky::get_saturation);
 	ClassDB::bind_method(D_METHOD("set_redshift_map", "shown"), &BlackHoleSky::set_redshift_map);
 	ClassDB::bind_method(D_METHOD("is_redshift_map_shown"), &BlackHoleSky::is_redshift_map_shown);
+	ClassDB::bind_method(D_METHOD("set_overlays", "shown"), &BlackHoleSky::set_overlays);
+	ClassDB::bind_method(D_METHOD("get_overlays"), &BlackHoleSky::get_overlays);
+	ClassDB::bind_method(D_METHOD("set_overlay_width", "pixels"), &BlackHoleSky::set_overlay_width);
+	ClassDB::bind_method(D_METHOD("get_overlay_width"), &BlackHoleSky::get_overlay_width);
+	ClassDB::bind_method(D_METHOD("set_figure_field", "field"), &BlackHoleSky::set_figure_field);
+	ClassDB::bind_method(D_METHOD("get_figure_field"), &BlackHoleSky::get_figure_field);
 	ClassDB::bind_method(D_METHOD("set_projection", "kind"), &BlackHoleSky::set_projection);
 	ClassDB::bind_method(D_METHOD("get_projection"), &BlackHoleSky::get_projection);
 	ClassDB::bind_method(D_METHOD("set_exposure", "ev"), &BlackHoleSky::set_exposure);
@@ -156,6 +167,17 @@ void BlackHoleSky::_bind_methods() {
 			EFFECT_MAGNIFICATION);
 	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "effect_higher_orders"), "set_higher_orders",
 			"are_higher_orders_shown");
+	ADD_GROUP("Overlays", "");
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "overlays", PROPERTY_HINT_FLAGS,
+						 "Constellations,Equatorial Grid,Galactic Grid,Shadow Edge,Einstein Rings,Direction "
+						 "of Motion,"
+						 "Shadow Diameter,Straight Light"),
+			"set_overlays", "get_overlays");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "overlay_width", PROPERTY_HINT_RANGE,
+						 "0.5,5,0.1,or_greater,suffix:px"),
+			"set_overlay_width", "get_overlay_width");
+	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "figure_field", PROPERTY_HINT_RESOURCE_TYPE, "Cubemap"),
+			"set_figure_field", "get_figure_field");
 	ADD_GROUP("Picture", "");
 	ADD_PROPERTY(
 			PropertyInfo(Variant::INT, "projection", PROPERTY_HINT_ENUM,
@@ -184,6 +206,14 @@ void BlackHoleSky::_bind_methods() {
 	BIND_ENUM_CONSTANT(EFFECT_GRAVITATIONAL_SHIFT);
 	BIND_ENUM_CONSTANT(EFFECT_DOPPLER);
 	BIND_ENUM_CONSTANT(EFFECT_MAGNIFICATION);
+	BIND_ENUM_CONSTANT(OVERLAY_CONSTELLATIONS);
+	BIND_ENUM_CONSTANT(OVERLAY_EQUATORIAL_GRID);
+	BIND_ENUM_CONSTANT(OVERLAY_GALACTIC_GRID);
+	BIND_ENUM_CONSTANT(OVERLAY_SHADOW_EDGE);
+	BIND_ENUM_CONSTANT(OVERLAY_EINSTEIN_RINGS);
+	BIND_ENUM_CONSTANT(OVERLAY_MOTION);
+	BIND_ENUM_CONSTANT(OVERLAY_SHADOW_DIAMETER);
+	BIND_ENUM_CONSTANT(OVERLAY_STRAIGHT_LIGHT);
 	BIND_ENUM_CONSTANT(PROJECTION_PERSPECTIVE);
 	BIND_ENUM_CONSTANT(PROJECTION_EQUIRECTANGULAR);
 	BIND_ENUM_CONSTANT(PROJECTION_MERCATOR);

@@ -3,6 +3,7 @@
 
 #include "src/black_hole_sky.h"
 #include "src/circular_orbit_path.h"
+#include "src/figure_field.h"
 #include "src/lensing_table.h"
 #include "src/piloted_observer.h"
 #include "src/planck_texture.h"
@@ -21,6 +22,7 @@ void initialize_blackhole_sky(godot::ModuleInitializationLevel level) {
 	}
 	GDREGISTER_CLASS(StarCatalogue);
 	GDREGISTER_CLASS(LensingTable);
+	GDREGISTER_CLASS(FigureField);
 	GDREGISTER_CLASS(SkyObserver);
 	GDREGISTER_CLASS(BlackHoleSky);
 	GDREGISTER_CLASS(RadialFallPath);

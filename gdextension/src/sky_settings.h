@@ -26,6 +26,8 @@ struct SkySettings {
 	blackhole::ObserverField observer;
 	int effects = lensing_shader::kAllEffects; ///< bits of effects.gdshaderinc
 	int projection = 0;                        ///< BlackHoleSky::Projection
+	int overlays = 0;                          ///< bits of BlackHoleSky::Overlay
+	double overlay_width = 1.5;                ///< pixels of a picture of 720 rows
 	double exposure = 1.0;                     ///< linear factor, 2^EV
 	double saturation = 1.0;                   ///< 0: grey, 1: as it is, above: exaggerated
 	double psf_sigma = 1.0;                    ///< pixels

@@ -11,6 +11,17 @@ enum Background { NONE, GRID, MILKY_WAY, FILE }
 
 const SCHEMA_FILE: String = "res://scenes/capture/shot.schema.json"
 const BACKGROUNDS: PackedStringArray = ["none", "grid", "milky_way"]
+## In the order of the bits of BlackHoleSky.Overlay.
+const OVERLAYS: PackedStringArray = [
+	"constellations",
+	"equatorial_grid",
+	"galactic_grid",
+	"shadow_edge",
+	"einstein_rings",
+	"motion",
+	"shadow_diameter",
+	"straight_light",
+]
 ## In the order of BlackHoleSky.Projection.
 const PROJECTIONS: PackedStringArray = [
 	"perspective",
@@ -24,8 +35,8 @@ const PROJECTIONS: PackedStringArray = [
 ## What the schema lets in and nobody draws yet.
 const NOT_YET: PackedStringArray = [
 	"exposure.auto",
+	"overlays.star_names",
 	"psf",
-	"overlays",
 	"path",
 ]
 
@@ -51,6 +62,8 @@ var lensing: bool = true
 var psf_sigma_px: float = 1.0
 var exposure_ev: float = 0.0
 var effects := ShotEffects.new()
+## Bits of BlackHoleSky.Overlay.
+var overlays: int = 0
 var background: Background = Background.NONE
 var background_file: String = ""
 ## Why the shot was refused; empty when it is fine.
@@ -107,6 +120,8 @@ func _read(data: Dictionary) -> void:
 	if error.is_empty():
 		effects = ShotEffects.from_data(data.get("effects", {}))
 		_read_exposure(data)
+		for name: String in data.get("overlays", []):
+			overlays |= 1 << OVERLAYS.find(name)
 		_refuse_unbuilt(data)
 
 
@@ -179,7 +194,9 @@ func _find_file(path: String, key: String) -> String:
 
 
 func _refuse_unbuilt(data: Dictionary) -> void:
+	var named: Array = data.get("overlays", [])
 	for name in NOT_YET:
-		if data.has(name) or name == "exposure.%s" % data.get("exposure"):
+		var part := name.get_slice(".", 1)
+		if data.has(name) or str(data.get(name.get_slice(".", 0))) == part or named.has(part):
 			error = "%s is not built yet." % name
 			return

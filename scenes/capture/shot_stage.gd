@@ -77,6 +77,13 @@ func _dress(spec: ShotSpec, refusal: PackedStringArray) -> bool:
 	_sky.observer = spec.observer.to_sky_observer() if spec.lensing else null
 	spec.effects.apply_to(_sky)
 	_sky.projection = spec.projection
+	_sky.overlays = spec.overlays
+	if spec.overlays & BlackHoleSky.OVERLAY_CONSTELLATIONS and _sky.figure_field == null:
+		var figures := ConstellationFigures.load_file()
+		if not figures.error.is_empty():
+			refusal.append(figures.error)
+			return false
+		_sky.figure_field = ConstellationOverlay.bake(figures)
 	return _set_background(spec, refusal)
 
 
