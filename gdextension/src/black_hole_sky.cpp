@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 #include <godot_cpp/classes/rendering_server.hpp>
 #include <godot_cpp/classes/viewport.hpp>
@@ -14,6 +15,7 @@
 #include "core/relativity/physical_scale.h"
 #include "core/relativity/shadow.h"
 #include "src/glm_adapter.h"
+#include "src/image_projector.h"
 #include "src/planck_texture.h"
 #include "src/star_choice.h"
 
@@ -402,4 +404,22 @@ String BlackHoleSky::get_observer_refusal_at(const Vector3 &world_position) cons
 	}
 	const auto at = blackhole::local_observer(observer_field(), to_glm(place_of(world_position)));
 	return at ? String() : String::utf8(at.error.c_str());
+}
+
+Vector2 BlackHoleSky::project_image(Camera3D *camera, const Vector3 &direction, int order) {
+	constexpr real_t kNowhere = std::numeric_limits<real_t>::infinity();
+	const Vector2 nowhere(kNowhere, kNowhere);
+	const bool asked_well = camera != nullptr && camera->is_inside_tree() && direction.is_finite() &&
+			direction.length_squared() > 0 && order >= 0 && order < StarLayer::kMaxOrders;
+	if (!asked_well || !is_inside_tree()) {
+		return nowhere;
+	}
+	if (settings_dirty) {
+		apply_settings();
+	}
+	if (order > 0 && (!settings.lensing || order >= settings.image_orders)) {
+		return nowhere;
+	}
+	return ::project_image(settings, is_lensing() ? table->data().get() : nullptr, camera, direction, order)
+			.value_or(nowhere);
 }

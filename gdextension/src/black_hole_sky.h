@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include <godot_cpp/classes/camera3d.hpp>
 #include <godot_cpp/classes/cubemap.hpp>
 #include <godot_cpp/classes/node3d.hpp>
 #include <godot_cpp/classes/ref.hpp>
@@ -119,6 +120,7 @@ public:
 	double distance_to(const godot::Vector3 &world_position) const;
 	double shadow_angle_at(const godot::Vector3 &world_position) const;
 	godot::String get_observer_refusal_at(const godot::Vector3 &world_position) const;
+	godot::Vector2 project_image(godot::Camera3D *camera, const godot::Vector3 &direction, int order);
 	double get_update_time_ms() const { return update_time_ms; }
 
 	godot::PackedStringArray _get_configuration_warnings() const override;

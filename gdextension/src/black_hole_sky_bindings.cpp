@@ -119,6 +119,8 @@ void BlackHoleSky::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("shadow_angle_at", "world_position"), &BlackHoleSky::shadow_angle_at);
 	ClassDB::bind_method(
 			D_METHOD("get_observer_refusal_at", "world_position"), &BlackHoleSky::get_observer_refusal_at);
+	ClassDB::bind_method(D_METHOD("project_image", "camera", "direction", "order"),
+			&BlackHoleSky::project_image, DEFVAL(0));
 	ClassDB::bind_method(D_METHOD("get_update_time_ms"), &BlackHoleSky::get_update_time_ms);
 	ClassDB::bind_method(D_METHOD("get_warnings"), &BlackHoleSky::_get_configuration_warnings);
 

@@ -35,7 +35,6 @@ const PROJECTIONS: PackedStringArray = [
 ## What the schema lets in and nobody draws yet.
 const NOT_YET: PackedStringArray = [
 	"exposure.auto",
-	"overlays.star_names",
 	"psf",
 	"path",
 ]
@@ -64,6 +63,7 @@ var exposure_ev: float = 0.0
 var effects := ShotEffects.new()
 ## Bits of BlackHoleSky.Overlay.
 var overlays: int = 0
+var star_names: bool = false
 var background: Background = Background.NONE
 var background_file: String = ""
 ## Why the shot was refused; empty when it is fine.
@@ -121,7 +121,10 @@ func _read(data: Dictionary) -> void:
 		effects = ShotEffects.from_data(data.get("effects", {}))
 		_read_exposure(data)
 		for name: String in data.get("overlays", []):
-			overlays |= 1 << OVERLAYS.find(name)
+			if name == "star_names":
+				star_names = true
+			else:
+				overlays |= 1 << OVERLAYS.find(name)
 		_refuse_unbuilt(data)
 
 
@@ -194,9 +197,8 @@ func _find_file(path: String, key: String) -> String:
 
 
 func _refuse_unbuilt(data: Dictionary) -> void:
-	var named: Array = data.get("overlays", [])
 	for name in NOT_YET:
 		var part := name.get_slice(".", 1)
-		if data.has(name) or str(data.get(name.get_slice(".", 0))) == part or named.has(part):
+		if data.has(name) or str(data.get(name.get_slice(".", 0))) == part:
 			error = "%s is not built yet." % name
 			return
