@@ -84,6 +84,7 @@ public:
 	double distance_to(const godot::Vector3 &world_position) const;
 	double shadow_angle_at(const godot::Vector3 &world_position) const;
 	godot::String get_observer_refusal_at(const godot::Vector3 &world_position) const;
+	int64_t get_star_buffer_bytes() const { return star_layer.buffer_bytes(); }
 	double get_update_time_ms() const { return update_time_ms; }
 
 	godot::PackedStringArray _get_configuration_warnings() const override;
