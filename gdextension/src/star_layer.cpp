@@ -26,11 +26,11 @@ constexpr float kEverywhere = 1e6F;
 constexpr float kEveryRank = std::numeric_limits<float>::infinity();
 constexpr double kHigherOrderFaintness = 6.0; // 6 x 5e-5: one step of an 8-bit sRGB picture
 constexpr std::size_t kHigherOrders = StarLayer::kMaxOrders - 1;
-/// Rows that the second and further images should hold together, as a part of the stars: 12 bytes a star.
-constexpr double kHigherShare = 0.25;
+/// Rows that the second and further images should hold together, as a part of the stars: 14.4 bytes a star.
+constexpr double kHigherShare = 0.3;
 /// From this part of a group on, higher images draw all of it; and below the second one no longer.
-constexpr double kBorrowFrom = 0.85;
-constexpr double kBorrowDownTo = 0.7;
+constexpr double kBorrowFrom = 0.6;
+constexpr double kBorrowDownTo = 0.5;
 
 /// A triangle whose inscribed circle is the unit circle: three vertices a star rather than a quad's four.
 RID make_sprite_mesh(RenderingServer *server) {

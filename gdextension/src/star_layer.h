@@ -18,8 +18,8 @@
 #include "src/sky_settings.h"
 
 /// Draws a catalogue: per order of images and group of stars one MultiMesh, of which the brightest stars are
-/// drawn, as many as can be seen. Those of the second and further images hold hardly more than that; where nearly
-/// all of a group is seen, they are the one of the first images. Owns what it makes on the RenderingServer.
+/// drawn, as many as can be seen. Those of the second and further images hold hardly more than that; where most
+/// of a group is seen, they are the one of the first images. Owns what it makes on the RenderingServer.
 class StarLayer {
 public:
 	static constexpr int kMaxOrders = 4;

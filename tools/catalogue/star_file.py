@@ -56,10 +56,10 @@ def encode(stars: list[Star]) -> bytes:
     ], array.array("I", named), text)
 
 
-def encode_columns(columns: list[array.array], named: array.array = array.array("I"), text: bytes = b"") -> bytes:
+def encode_columns(columns: list[array.array], named: array.array | None = None, text: bytes = b"") -> bytes:
     """The whole file from its columns in their order; `named` are the places of stars with a name, `text` these."""
-    payload = b"".join((*(_bytes(column) for column in columns), _bytes(named), text))
-    head = MAGIC + struct.pack("<IIIId", VERSION, len(columns[0]), len(named), len(text), EPOCH)
+    payload = b"".join((*(_bytes(column) for column in columns), _bytes(named or array.array("I")), text))
+    head = MAGIC + struct.pack("<IIIId", VERSION, len(columns[0]), len(named or ()), len(text), EPOCH)
     return head + struct.pack("<I", zlib.crc32(payload, zlib.crc32(head))) + payload
 
 

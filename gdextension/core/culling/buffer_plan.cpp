@@ -13,7 +13,7 @@ std::size_t generous(std::size_t rows) {
 }
 
 std::size_t scant(std::size_t rows) {
-	return rows + rows / 8 + kFew;
+	return rows + rows / 4 + kFew;
 }
 
 } // namespace
