@@ -121,6 +121,7 @@ public:
 	double shadow_angle_at(const godot::Vector3 &world_position) const;
 	godot::String get_observer_refusal_at(const godot::Vector3 &world_position) const;
 	godot::Vector2 project_image(godot::Camera3D *camera, const godot::Vector3 &direction, int order);
+	int64_t get_star_buffer_bytes() const { return star_layer.buffer_bytes(); }
 	double get_update_time_ms() const { return update_time_ms; }
 
 	godot::PackedStringArray _get_configuration_warnings() const override;

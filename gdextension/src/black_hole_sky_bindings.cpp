@@ -121,6 +121,7 @@ void BlackHoleSky::_bind_methods() {
 			D_METHOD("get_observer_refusal_at", "world_position"), &BlackHoleSky::get_observer_refusal_at);
 	ClassDB::bind_method(D_METHOD("project_image", "camera", "direction", "order"),
 			&BlackHoleSky::project_image, DEFVAL(0));
+	ClassDB::bind_method(D_METHOD("get_star_buffer_bytes"), &BlackHoleSky::get_star_buffer_bytes);
 	ClassDB::bind_method(D_METHOD("get_update_time_ms"), &BlackHoleSky::get_update_time_ms);
 	ClassDB::bind_method(D_METHOD("get_warnings"), &BlackHoleSky::_get_configuration_warnings);
 
