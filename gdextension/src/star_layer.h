@@ -5,6 +5,7 @@
 #include <array>
 #include <vector>
 
+#include <godot_cpp/classes/image_texture.hpp>
 #include <godot_cpp/classes/ref.hpp>
 #include <godot_cpp/classes/shader.hpp>
 #include <godot_cpp/variant/packed_float32_array.hpp>
@@ -68,11 +69,14 @@ private:
 	void draw(std::size_t group, int order, double rank);
 	void show(Images &images, int order);
 	int orders_drawn() const { return current.lensing ? current.image_orders : 1; }
-	godot::RID shader() const;
+	godot::RID shader();
+	void set_point_spread(const godot::RID &material);
 
-	godot::Ref<godot::Shader> lensed_shader;
-	godot::Ref<godot::Shader> general_shader;
-	godot::Ref<godot::Shader> flat_shader;
+	/// By SkyShaders; the second three for stars with a profile, loaded when they are needed.
+	std::array<godot::Ref<godot::Shader>, 6> shaders;
+	godot::Ref<godot::ImageTexture> profile; ///< of the model and glare below; null for a Gaussian
+	blackhole::PointSpread profile_model = blackhole::PointSpread::kGaussian;
+	double profile_glare = 0.0;
 	std::array<godot::RID, kMaxOrders> materials;
 	godot::RID sprite;
 	godot::RID scenario;
