@@ -138,8 +138,8 @@ void BlackHoleSky::_bind_methods() {
 	ADD_PROPERTY(
 			PropertyInfo(Variant::FLOAT, "psf_sigma", PROPERTY_HINT_RANGE, "0.5,5,0.05,or_greater,suffix:px"),
 			"set_psf_sigma", "get_psf_sigma");
-	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "aperture_mm", PROPERTY_HINT_RANGE,
-						 "0.1,10000,0.1,exp,suffix:mm"),
+	ADD_PROPERTY(
+			PropertyInfo(Variant::FLOAT, "aperture_mm", PROPERTY_HINT_RANGE, "0.1,10000,0.1,exp,suffix:mm"),
 			"set_aperture_mm", "get_aperture_mm");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "glare", PROPERTY_HINT_RANGE, "0,1,0.001"), "set_glare",
 			"get_glare");
@@ -173,7 +173,8 @@ void BlackHoleSky::_bind_methods() {
 	ADD_PROPERTY(
 			PropertyInfo(Variant::FLOAT, "panorama_luminance", PROPERTY_HINT_RANGE, "0,10,0.001,or_greater"),
 			"set_panorama_luminance", "get_panorama_luminance");
-	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "panorama_is_light"), "set_panorama_is_light", "is_panorama_light");
+	ADD_PROPERTY(
+			PropertyInfo(Variant::BOOL, "panorama_is_light"), "set_panorama_is_light", "is_panorama_light");
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "render_layers", PROPERTY_HINT_LAYERS_3D_RENDER),
 			"set_render_layers", "get_render_layers");
 

@@ -6,5 +6,6 @@
 
 #include "core/photometry/point_spread.h"
 
-/// The table of a point spread as a texture (RGBA32F) for star_profile.gdshaderinc; glare: see PointSpreadTable.
+/// The table of a point spread as a texture (RGBA32F) for star_profile.gdshaderinc; glare: see
+/// PointSpreadTable.
 godot::Ref<godot::ImageTexture> make_profile_texture(blackhole::PointSpread model, double glare);

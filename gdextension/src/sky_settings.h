@@ -28,11 +28,11 @@ struct SkySettings {
 	double exposure = 1.0;                     ///< linear factor, 2^EV
 	double saturation = 1.0;                   ///< 0: grey, 1: as it is, above: exaggerated
 	blackhole::PointSpread psf_model = blackhole::PointSpread::kGaussian;
-	double psf_sigma = 1.0;                    ///< pixels
-	double aperture = 0.005;                   ///< metres
-	double glare = blackhole::kEyeGlare;       ///< share of the light in the eye's wings
-	double faint_limit = 5e-5;                 ///< peak luminance below which an image is not drawn
-	double magnitude_limit = 99.0;             ///< V
+	double psf_sigma = 1.0;              ///< pixels
+	double aperture = 0.005;             ///< metres
+	double glare = blackhole::kEyeGlare; ///< share of the light in the eye's wings
+	double faint_limit = 5e-5;           ///< peak luminance below which an image is not drawn
+	double magnitude_limit = 99.0;       ///< V
 	int image_orders = 2;
 	uint32_t render_layers = 1;
 };

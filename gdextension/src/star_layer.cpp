@@ -31,8 +31,7 @@ constexpr std::array<const char *, 6> kShaderNames = {"stars_flat", "stars_lense
 		"stars_flat_profile", "stars_lensed_profile", "stars_general_profile"};
 
 Ref<Shader> load_shader(std::size_t place) {
-	const String path =
-			String("res://addons/blackhole_sky/shaders/") + kShaderNames.at(place) + ".gdshader";
+	const String path = String("res://addons/blackhole_sky/shaders/") + kShaderNames.at(place) + ".gdshader";
 	return ResourceLoader::get_singleton()->load(path);
 }
 

@@ -3,8 +3,9 @@ extends GutTest
 ## The light of a star, however it is spread: its sum, its place and, for diffraction, its shape.
 
 const TOLERANCE: float = 0.02
-## Compatibility's 8 bits lose the faint parts of wings.
-const TOLERANCE_8_BITS: float = 0.15
+## What 8 bits may lose of faint wings, and how much light of a star they hold.
+const MOST_LOST: float = 0.35
+const MOST_LIGHT_8_BITS: float = 2.0
 const CENTROID_TOLERANCE: float = 0.05
 const GAUSSIAN := BlackHoleSky.PSF_GAUSSIAN
 const AIRY := BlackHoleSky.PSF_AIRY
@@ -42,7 +43,10 @@ func test_light_and_place(spread: Array = use_parameters(_spreads)) -> void:
 	_choose(spread)
 	var view := ExactView.new(Vector3(3, 2, -4), LensingTable.MOTION_STATIC)
 	view.look_beside(0.9, Vector3(1, 2, 0.5))
-	var field := _grid(view, spread[4])
+	var light_wanted: float = spread[4]
+	if not SkyBooth.is_linear():
+		light_wanted = minf(light_wanted, MOST_LIGHT_8_BITS)
+	var field := _grid(view, light_wanted)
 	var picture: Image = await _photograph(view, field)
 	var worst := 0.0
 	var farthest := 0.0
@@ -54,7 +58,7 @@ func test_light_and_place(spread: Array = use_parameters(_spreads)) -> void:
 		farthest = maxf(farthest, found.distance_to(target.pixel))
 	gut.p("%s: light %.3f %%, place %.4f px" % [spread, 100.0 * worst, farthest])
 	assert_gte(field.targets.size(), 9, "stars measured")
-	assert_almost_eq(worst, 0.0, TOLERANCE if SkyBooth.is_linear() else TOLERANCE_8_BITS, "light")
+	assert_between(worst, -TOLERANCE if SkyBooth.is_linear() else -MOST_LOST, TOLERANCE, "light")
 	assert_lt(farthest, CENTROID_TOLERANCE, "place")
 
 
@@ -73,7 +77,7 @@ func test_fields_of_view(
 		worst = off if not absf(off) <= absf(worst) else worst
 	gut.p("%s: light %.3f %%" % [p, 100.0 * worst])
 	assert_gte(field.targets.size(), 9, "stars measured")
-	assert_almost_eq(worst, 0.0, TOLERANCE if SkyBooth.is_linear() else TOLERANCE_8_BITS, "light")
+	assert_between(worst, -TOLERANCE if SkyBooth.is_linear() else -MOST_LOST, TOLERANCE, "light")
 
 
 func test_diffraction_rings(
@@ -92,7 +96,9 @@ func test_diffraction_rings(
 	for channel in 3:
 		var scale := AiryPattern.scale(channel, p[1]) * view.focal()
 		dark.append(_first_dark_ring(picture, field.targets[0].pixel, channel, scale))
-		assert_almost_eq(dark[channel] / scale, AiryPattern.FIRST_ZERO, 0.05 * AiryPattern.FIRST_ZERO)
+		assert_almost_eq(
+			dark[channel] / scale, AiryPattern.FIRST_ZERO, 0.05 * AiryPattern.FIRST_ZERO
+		)
 		if SkyBooth.is_linear():
 			_judge_profile(picture, field.targets[0].pixel, channel, scale)
 	gut.p("%s: dark rings at %s px" % [p, dark])
@@ -159,7 +165,9 @@ func _judge_profile(picture: Image, centre: Vector2, channel: int, scale: float)
 	var unit := _mean_on_circle(picture, centre, 1.2 * scale, channel) / AiryPattern.brightness(1.2)
 	for x: float in [0.6, 1.6, 2.4, 3.0]:
 		var light := _mean_on_circle(picture, centre, x * scale, channel) / unit
-		assert_almost_eq(light, AiryPattern.brightness(x), 0.02, "channel %s, x = %s" % [channel, x])
+		assert_almost_eq(
+			light, AiryPattern.brightness(x), 0.02, "channel %s, x = %s" % [channel, x]
+		)
 	var ring := _mean_on_circle(picture, centre, AiryPattern.FIRST_RING * scale, channel) / unit
 	assert_almost_eq(ring, AiryPattern.RING_BRIGHTNESS, 0.15 * AiryPattern.RING_BRIGHTNESS, "ring")
 

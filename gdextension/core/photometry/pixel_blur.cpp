@@ -20,7 +20,8 @@ std::pair<double, double> scaled_bessel_i(double p_z) {
 	if (p_z > 60.0) { // asymptotic series, to 1e-8
 		const double e = 1.0 / (8.0 * p_z);
 		const double root = 1.0 / std::sqrt(2.0 * std::numbers::pi * p_z);
-		return {root * (1.0 + e * (1.0 + e * (4.5 + e * 37.5))), root * (1.0 - e * (3.0 + e * (7.5 + e * 52.5)))};
+		return {root * (1.0 + e * (1.0 + e * (4.5 + e * 37.5))),
+				root * (1.0 - e * (3.0 + e * (7.5 + e * 52.5)))};
 	}
 	using Policy = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
 	const double scale = std::exp(-p_z);
@@ -31,9 +32,10 @@ std::pair<double, double> scaled_bessel_i(double p_z) {
 } // namespace
 
 double pixel_blurred(const std::function<double(double)> &p_encircled, double p_sigma, double p_r) {
-	// Light on a thin ring of radius a adds k(a) = exp(-(r^2 + a^2)/2) I0(r a)/(2 pi) at r (in units of sigma). By
-	// parts, the sum over rings is the integral of -k'(a) times the encircled light, which is smooth where the
-	// pattern is not. The light within r is taken out, as what remains is small in the wings.
+	// Light on a thin ring of radius a adds k(a) = exp(-(r^2 + a^2)/2) I0(r a)/(2 pi) at r (in units of
+	// sigma). By parts, the sum over rings is the integral of -k'(a) times the encircled light, which is
+	// smooth where the pattern is not. The light within r is taken out, as what remains is small in the
+	// wings.
 	const double r = p_r / p_sigma;
 	const double within = p_encircled(p_r);
 	const auto integrand = [&](double a) {

@@ -54,9 +54,8 @@ double eye_published(double p_theta_deg) {
 
 double eye_wings_profile(double p_x) {
 	const double cube = 1.0 / (pi * (1.0 + p_x) * (1.0 + p_x) * (1.0 + p_x));
-	const double square = p_x < kEdge
-			? 1.0 / (2.0 * pi * square_law_light(kEdge) * (1.0 + p_x) * (1.0 + p_x))
-			: 0.0;
+	const double square =
+			p_x < kEdge ? 1.0 / (2.0 * pi * square_law_light(kEdge) * (1.0 + p_x) * (1.0 + p_x)) : 0.0;
 	return kCubeLaw * cube + (1.0 - kCubeLaw) * square;
 }
 

@@ -4,8 +4,8 @@
 #include <glm/vec3.hpp>
 
 // How the light of a star spreads, as round patterns over a scaled radius x. A profile is light per unit area
-// of the plane in which x is the radius, so that its integral over that plane is 1; the encircled light is the
-// share within x.
+// of the plane in which x is the radius, so that its integral over that plane is 1; the encircled light is
+// the share within x.
 namespace blackhole {
 
 /// Which pattern a star is drawn as.
@@ -24,7 +24,8 @@ double airy_encircled(double p_x);
 glm::dvec3 airy_angles(double p_aperture);
 
 // The eye that sees by day: Spencer, Shirley, Zimmerman & Greenberg 1995, "Physically-Based Glare Effects for
-// Digital Images", photopic point spread 0.384 f0 + 0.478 f1 + 0.138 f2 after Vos 1984; x = theta/0.02 degrees.
+// Digital Images", photopic point spread 0.384 f0 + 0.478 f1 + 0.138 f2 after Vos 1984; x = theta/0.02
+// degrees.
 
 /// The angle in radians of x = 1: 0.02 degrees.
 inline constexpr double kEyeAngle = 3.490658503988659e-4;

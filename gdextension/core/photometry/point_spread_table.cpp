@@ -28,7 +28,8 @@ double gaussian(double p_t, double p_variance) {
 	return std::exp(-p_t * p_t / (2.0 * p_variance)) / (2.0 * pi * p_variance);
 }
 
-template <class Function> Profile rows_of(Function p_profile) {
+template <class Function>
+Profile rows_of(Function p_profile) {
 	Profile nodes(Table::kRows * Table::kColumns);
 	for (std::size_t j = 0; j < Table::kRows; ++j) {
 		for (std::size_t i = 0; i < Table::kColumns; ++i) {
@@ -47,7 +48,8 @@ Profile blurred_pattern(double (*p_profile)(double), double (*p_encircled)(doubl
 		if (v == 1.0) {
 			return p_profile(t);
 		}
-		return pixel_blurred([p_encircled, v](double r) { return p_encircled(r / v); }, std::sqrt(1.0 - v * v), t);
+		return pixel_blurred(
+				[p_encircled, v](double r) { return p_encircled(r / v); }, std::sqrt(1.0 - v * v), t);
 	});
 }
 
@@ -76,7 +78,8 @@ Profile profile_of(PointSpread p_model, double p_glare) {
 
 } // namespace
 
-PointSpreadTable::PointSpreadTable(PointSpread p_model, double p_glare) : m_nodes(profile_of(p_model, p_glare)) {
+PointSpreadTable::PointSpreadTable(PointSpread p_model, double p_glare)
+		: m_nodes(profile_of(p_model, p_glare)) {
 	m_nodes.resize(kBlocks * kRows * kColumns);
 	for (std::size_t j = 0; j < kRows; ++j) {
 		add_faded_light(j);
@@ -146,7 +149,8 @@ void PointSpreadTable::add_cut_radii(std::size_t p_row) {
 		if (below < kColumns) {
 			const double part = std::log(std::max(envelope[below - 1], limit) / limit) /
 					std::log(std::max(envelope[below - 1], limit) / envelope[below]);
-			cut = std::lerp(radius_at(static_cast<double>(below - 1)), radius_at(static_cast<double>(below)), part);
+			cut = std::lerp(
+					radius_at(static_cast<double>(below - 1)), radius_at(static_cast<double>(below)), part);
 		}
 		// Never so near that the core would be cut.
 		const double above = octaves + std::log2(profile[0]);

@@ -8,12 +8,13 @@
 
 namespace blackhole {
 
-/// A pattern as addons/blackhole_sky/shaders/star_profile.gdshaderinc reads it, at every ratio of its scale to
-/// the pixel's.
+/// A pattern as addons/blackhole_sky/shaders/star_profile.gdshaderinc reads it, at every ratio of its scale
+/// to the pixel's.
 ///
-/// A pattern of scale s pixels (x = 1) is convolved with a Gaussian of sigma pixels, the finest that pixels can
-/// show. With w^2 = s^2 + sigma^2 it depends on the radius t = r/w and on v = s/w alone: v = 0 is the Gaussian,
-/// v = 1 the bare pattern. Nodes: rows at v = j/(kRows - 1); columns i with q = i/(kColumns - 1). Three blocks:
+/// A pattern of scale s pixels (x = 1) is convolved with a Gaussian of sigma pixels, the finest that pixels
+/// can show. With w^2 = s^2 + sigma^2 it depends on the radius t = r/w and on v = s/w alone: v = 0 is the
+/// Gaussian, v = 1 the bare pattern. Nodes: rows at v = j/(kRows - 1); columns i with q = i/(kColumns - 1).
+/// Three blocks:
 ///  0  light per unit area of t, at t = kReach (kNearPart q + (1 - kNearPart) q^2): its integral is 1;
 ///  1  its integral within t when it is faded out towards t by fade();
 ///  2  the radius at which to cut a star off, by contrast = light/(limit w^2) = 2^(kOctaves q), "limit" being
@@ -28,12 +29,13 @@ public:
 	static constexpr double kNearPart = 0.1;
 	static constexpr double kOctaves = 32.0;
 
-	/// p_glare (0 to 1): share of the light in the wings of the eye; of no account for other patterns. The first
-	/// of a pattern takes some 100 ms, others of the eye a few. A Gaussian is the row of v = 0 throughout.
+	/// p_glare (0 to 1): share of the light in the wings of the eye; of no account for other patterns. The
+	/// first of a pattern takes some 100 ms, others of the eye a few. A Gaussian is the row of v = 0
+	/// throughout.
 	PointSpreadTable(PointSpread p_model, double p_glare);
 
-	/// How a star's light at the fraction p_part (0 to 1) of its cut radius is reduced: 1 up to the half, 0 at
-	/// the whole, with level slopes at both.
+	/// How a star's light at the fraction p_part (0 to 1) of its cut radius is reduced: 1 up to the half, 0
+	/// at the whole, with level slopes at both.
 	static double fade(double p_part);
 
 	double profile(double p_t, double p_v) const { return at(0, column_of(p_t), p_v); }

@@ -37,6 +37,10 @@ float profile_faded_light(const std::vector<float> &p_texels, float p_t, float p
 	return included::profile_faded_light(sampler2D{p_texels}, p_t, p_ratio);
 }
 
+bool profile_is_seen(const std::vector<float> &p_texels, float p_contrast, float p_ratio) {
+	return included::profile_is_seen(sampler2D{p_texels}, p_contrast, p_ratio);
+}
+
 float profile_cut(const std::vector<float> &p_texels, float p_contrast, float p_ratio) {
 	return included::profile_cut(sampler2D{p_texels}, p_contrast, p_ratio);
 }

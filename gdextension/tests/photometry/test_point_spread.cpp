@@ -17,7 +17,8 @@ using namespace blackhole;
 using std::numbers::pi;
 
 /// Integral of a profile over the disk of radius p_r.
-template <class Function> double light_within(Function p_profile, double p_r) {
+template <class Function>
+double light_within(Function p_profile, double p_r) {
 	double sum = 0.0;
 	double from = 0.0;
 	while (from < p_r) {
@@ -41,7 +42,7 @@ TEST(AiryPattern, LightWithinARadiusIsRayleighsFormula) {
 TEST(AiryPattern, KnownPointsOfTheProfile) {
 	const double peak = airy_profile(0.0);
 	EXPECT_NEAR(peak, 1.0 / (4.0 * pi), 1e-12);
-	EXPECT_NEAR(airy_profile(1.6163399) / peak, 0.5, 1e-6); // half maximum
+	EXPECT_NEAR(airy_profile(1.6163399) / peak, 0.5, 1e-6);       // half maximum
 	EXPECT_NEAR(airy_profile(5.1356223) / peak, 0.0174978, 1e-6); // first bright ring
 	// The first dark ring is at 1.2197 lambda/D, and the disk inside of it holds 83.8 % of the light.
 	const glm::dvec3 unit = airy_angles(0.1);
@@ -85,7 +86,9 @@ TEST(EyePattern, PublishedFunctionHoldsAllTheLight) {
 	for (double from = 0.0; from < 90.0;) {
 		const double to = std::min(90.0, from + std::max(0.01, 0.5 * from));
 		sum += boost::math::quadrature::gauss_kronrod<double, 31>::integrate(
-				[&](double theta) { return eye_published(theta) * 2.0 * pi * std::sin(theta * degree) * degree; },
+				[&](double theta) {
+					return eye_published(theta) * 2.0 * pi * std::sin(theta * degree) * degree;
+				},
 				from, to, 8, 1e-10);
 		from = to;
 	}
