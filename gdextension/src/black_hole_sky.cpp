@@ -142,7 +142,10 @@ void BlackHoleSky::apply_settings() {
 	}
 	settings.saturation = saturation;
 	settings.exposure = std::exp2(exposure);
+	settings.psf_model = static_cast<blackhole::PointSpread>(psf_model);
 	settings.psf_sigma = psf_sigma;
+	settings.aperture = 1e-3 * aperture_mm;
+	settings.glare = glare;
 	settings.faint_limit = faint_limit;
 	settings.magnitude_limit = magnitude_limit;
 	settings.image_orders = higher_orders && is_effect_on(EFFECT_DEFLECTION) ? image_orders : 1;
@@ -331,6 +334,21 @@ void BlackHoleSky::set_magnitude_limit(double magnitude) {
 
 void BlackHoleSky::set_image_orders(int orders) {
 	image_orders = std::clamp(orders, 1, StarLayer::kMaxOrders);
+	settings_changed();
+}
+
+void BlackHoleSky::set_psf_model(PointSpreadModel model) {
+	psf_model = std::clamp(model, PSF_GAUSSIAN, PSF_EYE);
+	settings_changed();
+}
+
+void BlackHoleSky::set_aperture_mm(double millimetres) {
+	aperture_mm = limited(millimetres, 0.1, 1e4, aperture_mm);
+	settings_changed();
+}
+
+void BlackHoleSky::set_glare(double share) {
+	glare = limited(share, 0.0, 1.0, glare);
 	settings_changed();
 }
 

@@ -54,6 +54,8 @@ public:
 		PROJECTION_FISHEYE_220 = 5,
 		PROJECTION_FISHEYE_360 = 6,
 	};
+	/// How the light of a star spreads.
+	enum PointSpreadModel { PSF_GAUSSIAN = 0, PSF_AIRY = 1, PSF_EYE = 2 };
 	enum Background { BACKGROUND_NONE = 0, BACKGROUND_GRID = 1, BACKGROUND_PANORAMA = 2 };
 
 	BlackHoleSky();
@@ -82,8 +84,14 @@ public:
 	double get_magnitude_limit() const { return magnitude_limit; }
 	void set_image_orders(int orders);
 	int get_image_orders() const { return image_orders; }
+	void set_psf_model(PointSpreadModel model);
+	PointSpreadModel get_psf_model() const { return psf_model; }
 	void set_psf_sigma(double pixels);
 	double get_psf_sigma() const { return psf_sigma; }
+	void set_aperture_mm(double millimetres);
+	double get_aperture_mm() const { return aperture_mm; }
+	void set_glare(double share);
+	double get_glare() const { return glare; }
 	void set_faint_limit(double luminance);
 	double get_faint_limit() const { return faint_limit; }
 
@@ -168,7 +176,10 @@ private:
 	bool stars_visible = true;
 	double magnitude_limit = 12.0;
 	int image_orders = 2;
+	PointSpreadModel psf_model = PSF_GAUSSIAN;
 	double psf_sigma = 1.0;
+	double aperture_mm = 5.0;
+	double glare = 0.616;
 	double faint_limit = 5e-5;
 	double exposure = 0.0;
 	Background background = BACKGROUND_NONE;
@@ -185,3 +196,4 @@ VARIANT_ENUM_CAST(BlackHoleSky::Background);
 VARIANT_ENUM_CAST(BlackHoleSky::Effect);
 VARIANT_ENUM_CAST(BlackHoleSky::Projection);
 VARIANT_ENUM_CAST(BlackHoleSky::Overlay);
+VARIANT_ENUM_CAST(BlackHoleSky::PointSpreadModel);

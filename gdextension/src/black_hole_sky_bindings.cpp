@@ -82,6 +82,12 @@ void BlackHoleSky::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_magnitude_limit"), &BlackHoleSky::get_magnitude_limit);
 	ClassDB::bind_method(D_METHOD("set_image_orders", "orders"), &BlackHoleSky::set_image_orders);
 	ClassDB::bind_method(D_METHOD("get_image_orders"), &BlackHoleSky::get_image_orders);
+	ClassDB::bind_method(D_METHOD("set_psf_model", "model"), &BlackHoleSky::set_psf_model);
+	ClassDB::bind_method(D_METHOD("get_psf_model"), &BlackHoleSky::get_psf_model);
+	ClassDB::bind_method(D_METHOD("set_aperture_mm", "millimetres"), &BlackHoleSky::set_aperture_mm);
+	ClassDB::bind_method(D_METHOD("get_aperture_mm"), &BlackHoleSky::get_aperture_mm);
+	ClassDB::bind_method(D_METHOD("set_glare", "share"), &BlackHoleSky::set_glare);
+	ClassDB::bind_method(D_METHOD("get_glare"), &BlackHoleSky::get_glare);
 	ClassDB::bind_method(D_METHOD("set_psf_sigma", "pixels"), &BlackHoleSky::set_psf_sigma);
 	ClassDB::bind_method(D_METHOD("get_psf_sigma"), &BlackHoleSky::get_psf_sigma);
 	ClassDB::bind_method(D_METHOD("set_faint_limit", "luminance"), &BlackHoleSky::set_faint_limit);
@@ -151,9 +157,16 @@ void BlackHoleSky::_bind_methods() {
 			"set_magnitude_limit", "get_magnitude_limit");
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "image_orders", PROPERTY_HINT_RANGE, "1,4"), "set_image_orders",
 			"get_image_orders");
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "psf_model", PROPERTY_HINT_ENUM, "Gaussian,Airy,Eye"),
+			"set_psf_model", "get_psf_model");
 	ADD_PROPERTY(
 			PropertyInfo(Variant::FLOAT, "psf_sigma", PROPERTY_HINT_RANGE, "0.5,5,0.05,or_greater,suffix:px"),
 			"set_psf_sigma", "get_psf_sigma");
+	ADD_PROPERTY(
+			PropertyInfo(Variant::FLOAT, "aperture_mm", PROPERTY_HINT_RANGE, "0.1,10000,0.1,exp,suffix:mm"),
+			"set_aperture_mm", "get_aperture_mm");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "glare", PROPERTY_HINT_RANGE, "0,1,0.001"), "set_glare",
+			"get_glare");
 	ADD_PROPERTY(
 			PropertyInfo(Variant::FLOAT, "faint_limit", PROPERTY_HINT_RANGE, "0.000001,0.01,0.000001,exp"),
 			"set_faint_limit", "get_faint_limit");
@@ -224,6 +237,9 @@ void BlackHoleSky::_bind_methods() {
 	BIND_ENUM_CONSTANT(PROJECTION_FISHEYE_180);
 	BIND_ENUM_CONSTANT(PROJECTION_FISHEYE_220);
 	BIND_ENUM_CONSTANT(PROJECTION_FISHEYE_360);
+	BIND_ENUM_CONSTANT(PSF_GAUSSIAN);
+	BIND_ENUM_CONSTANT(PSF_AIRY);
+	BIND_ENUM_CONSTANT(PSF_EYE);
 	BIND_ENUM_CONSTANT(BACKGROUND_NONE);
 	BIND_ENUM_CONSTANT(BACKGROUND_GRID);
 	BIND_ENUM_CONSTANT(BACKGROUND_PANORAMA);

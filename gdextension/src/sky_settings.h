@@ -5,6 +5,7 @@
 #include <godot_cpp/variant/rid.hpp>
 #include <godot_cpp/variant/vector3.hpp>
 
+#include "core/photometry/point_spread.h"
 #include "core/relativity/observer_field.h"
 #include "core/tables/lensing_shader.h"
 
@@ -30,9 +31,12 @@ struct SkySettings {
 	double overlay_width = 1.5;                ///< pixels of a picture of 720 rows
 	double exposure = 1.0;                     ///< linear factor, 2^EV
 	double saturation = 1.0;                   ///< 0: grey, 1: as it is, above: exaggerated
-	double psf_sigma = 1.0;                    ///< pixels
-	double faint_limit = 5e-5;                 ///< peak luminance below which an image is not drawn
-	double magnitude_limit = 99.0;             ///< V
+	blackhole::PointSpread psf_model = blackhole::PointSpread::kGaussian;
+	double psf_sigma = 1.0;              ///< pixels
+	double aperture = 0.005;             ///< metres
+	double glare = blackhole::kEyeGlare; ///< share of the light in the eye's wings
+	double faint_limit = 5e-5;           ///< peak luminance below which an image is not drawn
+	double magnitude_limit = 99.0;       ///< V
 	int image_orders = 2;
 	uint32_t render_layers = 1;
 };

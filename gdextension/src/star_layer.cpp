@@ -16,6 +16,8 @@
 #include "core/parallel.h"
 #include "core/photometry/planck_table.h"
 #include "core/photometry/radiometry.h"
+#include "src/glm_adapter.h"
+#include "src/profile_texture.h"
 
 using namespace godot;
 
@@ -32,6 +34,15 @@ constexpr double kHigherShare = 0.3;
 /// From this part of a group on, higher images draw all of it; and below the second one no longer.
 constexpr double kBorrowFrom = 0.6;
 constexpr double kBorrowDownTo = 0.5;
+
+constexpr std::array<const char *, 8> kShaderNames = {"stars_flat", "stars_lensed", "stars_general",
+		"stars_map", "stars_flat_profile", "stars_lensed_profile", "stars_general_profile",
+		"stars_map_profile"};
+
+Ref<Shader> load_shader(std::size_t place) {
+	const String path = String("res://addons/blackhole_sky/shaders/") + kShaderNames.at(place) + ".gdshader";
+	return ResourceLoader::get_singleton()->load(path);
+}
 
 /// Triangles whose inscribed circle is the unit circle: three vertices a star rather than a quad's four.
 /// Their z is their number, from which the shader of maps knows which of a sprite's copies each is.
@@ -78,14 +89,9 @@ void StarLayer::ensure_materials() {
 		return;
 	}
 	RenderingServer *server = RenderingServer::get_singleton();
-	lensed_shader =
-			ResourceLoader::get_singleton()->load("res://addons/blackhole_sky/shaders/stars_lensed.gdshader");
-	general_shader = ResourceLoader::get_singleton()->load(
-			"res://addons/blackhole_sky/shaders/stars_general.gdshader");
-	map_shader =
-			ResourceLoader::get_singleton()->load("res://addons/blackhole_sky/shaders/stars_map.gdshader");
-	flat_shader =
-			ResourceLoader::get_singleton()->load("res://addons/blackhole_sky/shaders/stars_flat.gdshader");
+	for (std::size_t i = 0; i < kShaderNames.size() / 2; ++i) {
+		shaders[i] = load_shader(i);
+	}
 	sprite = make_sprite_mesh(server, 1);
 	map_sprite = make_sprite_mesh(server, kMapCopies);
 	for (int order = 0; order < kMaxOrders; ++order) {
@@ -321,17 +327,34 @@ double StarLayer::faint_limit(const SkySettings &settings, int order) {
 	return settings.faint_limit * (order > 0 ? kHigherOrderFaintness : 1.0);
 }
 
-RID StarLayer::shader() const {
-	switch (current.shaders) {
-		case SkyShaders::kRadial:
-			return lensed_shader->get_rid();
-		case SkyShaders::kGeneral:
-			return general_shader->get_rid();
-		case SkyShaders::kMap:
-			return map_shader->get_rid();
-		default:
-			return flat_shader->get_rid();
+RID StarLayer::shader() {
+	const bool with_profile = current.psf_model != blackhole::PointSpread::kGaussian;
+	const std::size_t place =
+			static_cast<std::size_t>(current.shaders) + (with_profile ? kShaderNames.size() / 2 : 0);
+	if (shaders[place].is_null()) {
+		shaders[place] = load_shader(place);
 	}
+	return shaders[place]->get_rid();
+}
+
+void StarLayer::set_point_spread(const RID &material) {
+	RenderingServer *server = RenderingServer::get_singleton();
+	server->material_set_param(material, "_psf_sigma", current.psf_sigma);
+	const blackhole::PointSpread model = current.psf_model;
+	if (model == blackhole::PointSpread::kGaussian) {
+		return;
+	}
+	if (profile.is_null() || model != profile_model || current.glare != profile_glare) {
+		profile = make_profile_texture(model, current.glare);
+		profile_model = model;
+		profile_glare = current.glare;
+	}
+	const bool by_colour = model == blackhole::PointSpread::kAiry;
+	const glm::dvec3 angle =
+			by_colour ? blackhole::airy_angles(current.aperture) : glm::dvec3(blackhole::kEyeAngle);
+	server->material_set_param(material, "_profile_table", profile->get_rid());
+	server->material_set_param(material, "_profile_angle", to_godot(angle));
+	server->material_set_param(material, "_profile_by_colour", by_colour);
 }
 
 void StarLayer::apply(const SkySettings &settings) {
@@ -344,7 +367,7 @@ void StarLayer::apply(const SkySettings &settings) {
 		server->material_set_shader(material, shader());
 		set_sky_uniforms(material, settings);
 		server->material_set_param(material, "_exposure", blackhole::kStarGain * settings.exposure);
-		server->material_set_param(material, "_psf_sigma", settings.psf_sigma);
+		set_point_spread(material);
 		server->material_set_param(material, "_faint_limit", faint_limit(settings, order));
 		server->material_set_param(
 				material, "_flux_limit", std::pow(10.0, -0.4 * (settings.magnitude_limit + 1e-6)));

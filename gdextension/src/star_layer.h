@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <godot_cpp/classes/image_texture.hpp>
 #include <godot_cpp/classes/ref.hpp>
 #include <godot_cpp/classes/shader.hpp>
 #include <godot_cpp/variant/packed_float32_array.hpp>
@@ -18,8 +19,8 @@
 #include "src/sky_settings.h"
 
 /// Draws a catalogue: per order of images and group of stars one MultiMesh, of which the brightest stars are
-/// drawn, as many as can be seen. Those of the second and further images hold hardly more than that; where most
-/// of a group is seen, they are the one of the first images. Owns what it makes on the RenderingServer.
+/// drawn, as many as can be seen. Those of the second and further images hold hardly more than that; where
+/// most of a group is seen, they are the one of the first images. Owns what it makes on the RenderingServer.
 class StarLayer {
 public:
 	static constexpr int kMaxOrders = 4;
@@ -58,8 +59,8 @@ private:
 	struct Images {
 		godot::RID multimesh;
 		godot::RID instance;
-		int reserved = 0; ///< stars that are to be drawn
-		int drawn = 0; ///< stars that the MultiMesh is set to draw
+		int reserved = 0;     ///< stars that are to be drawn
+		int drawn = 0;        ///< stars that the MultiMesh is set to draw
 		bool borrows = false; ///< draws the MultiMesh of the first images instead, with all stars
 		/// That number does, and is not much too large, for faintest ranks from here to below there.
 		float enough_from = 0.0F;
@@ -80,13 +81,15 @@ private:
 	static void set_drawn(Images &images, int count);
 	void show(Images &images, int order);
 	int orders_drawn() const { return current.lensing ? current.image_orders : 1; }
-	godot::RID shader() const;
+	godot::RID shader();
 	godot::RID sprite_in_use() const { return current.shaders == SkyShaders::kMap ? map_sprite : sprite; }
+	void set_point_spread(const godot::RID &material);
 
-	godot::Ref<godot::Shader> lensed_shader;
-	godot::Ref<godot::Shader> general_shader;
-	godot::Ref<godot::Shader> map_shader;
-	godot::Ref<godot::Shader> flat_shader;
+	/// By SkyShaders; the second four for stars with a profile, loaded when they are needed.
+	std::array<godot::Ref<godot::Shader>, 8> shaders;
+	godot::Ref<godot::ImageTexture> profile; ///< of the model and glare below; null for a Gaussian
+	blackhole::PointSpread profile_model = blackhole::PointSpread::kGaussian;
+	double profile_glare = 0.0;
 	std::array<godot::RID, kMaxOrders> materials;
 	godot::RID sprite;
 	godot::RID map_sprite;

@@ -20,7 +20,10 @@ func test_defaults() -> void:
 	assert_null(_sky.catalogue)
 	assert_true(_sky.stars_visible)
 	assert_eq(_sky.image_orders, 2)
+	assert_eq(_sky.psf_model, BlackHoleSky.PSF_GAUSSIAN)
 	assert_eq(_sky.psf_sigma, 1.0)
+	assert_eq(_sky.aperture_mm, 5.0)
+	assert_eq(_sky.glare, 0.616)
 	assert_eq(_sky.exposure, 0.0)
 	assert_eq(_sky.background, BlackHoleSky.BACKGROUND_NONE)
 	assert_null(_sky.panorama)
@@ -58,6 +61,15 @@ func test_properties_keep_what_they_are_given_within_limits(
 			["psf_sigma", 1.5, 1.5],
 			["psf_sigma", 0.0, 0.3],
 			["psf_sigma", 1e3, 32.0],
+			["psf_model", BlackHoleSky.PSF_AIRY, 1],
+			["psf_model", 7, BlackHoleSky.PSF_EYE],
+			["psf_model", -1, BlackHoleSky.PSF_GAUSSIAN],
+			["aperture_mm", 2.5, 2.5],
+			["aperture_mm", 0.0, 0.1],
+			["aperture_mm", 1e6, 1e4],
+			["glare", 0.25, 0.25],
+			["glare", -1.0, 0.0],
+			["glare", 2.0, 1.0],
 			["faint_limit", 1e-3, 1e-3],
 			["faint_limit", 0.0, 1e-9],
 			["exposure", -3.5, -3.5],
@@ -81,6 +93,8 @@ func test_numbers_that_are_none_are_not_taken_over(
 			"lensing",
 			"magnitude_limit",
 			"psf_sigma",
+			"aperture_mm",
+			"glare",
 			"faint_limit",
 			"exposure",
 			"panorama_luminance",
@@ -242,6 +256,8 @@ func test_many_nodes_come_and_go() -> void:
 func test_saved_and_loaded_with_its_scene() -> void:
 	_sky.schwarzschild_radius = 3.0
 	_sky.image_orders = 4
+	_sky.psf_model = BlackHoleSky.PSF_EYE
+	_sky.glare = 0.5
 	_sky.table = LensingTable.new()
 	_sky.table.source_file = TABLE
 	var scene := PackedScene.new()
@@ -251,6 +267,8 @@ func test_saved_and_loaded_with_its_scene() -> void:
 	var loaded: BlackHoleSky = autofree((load(path) as PackedScene).instantiate())
 	assert_eq(loaded.schwarzschild_radius, 3.0)
 	assert_eq(loaded.image_orders, 4)
+	assert_eq(loaded.psf_model, BlackHoleSky.PSF_EYE)
+	assert_eq(loaded.glare, 0.5)
 	assert_true(loaded.table.is_ready())
 
 

@@ -5,8 +5,13 @@ blackhole_add_test(test_radiometry ${CMAKE_CURRENT_LIST_DIR}/test_radiometry.cpp
 blackhole_add_test(test_planck_table
 	${CMAKE_CURRENT_LIST_DIR}/test_planck_table.cpp
 	${CMAKE_CURRENT_LIST_DIR}/planck_shader.cpp)
-# The shader's literals are single precision, as on the GPU.
+blackhole_add_test(test_point_spread ${CMAKE_CURRENT_LIST_DIR}/test_point_spread.cpp)
+blackhole_add_test(test_point_spread_table
+	${CMAKE_CURRENT_LIST_DIR}/test_point_spread_table.cpp
+	${CMAKE_CURRENT_LIST_DIR}/profile_shader.cpp)
+# The shaders' literals are single precision, as on the GPU.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-	set_source_files_properties(${CMAKE_CURRENT_LIST_DIR}/planck_shader.cpp
+	set_source_files_properties(
+		${CMAKE_CURRENT_LIST_DIR}/planck_shader.cpp ${CMAKE_CURRENT_LIST_DIR}/profile_shader.cpp
 		PROPERTIES COMPILE_OPTIONS "-fsingle-precision-constant")
 endif()
