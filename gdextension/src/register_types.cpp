@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "src/register_types.h"
 
+#include "src/black_body.h"
 #include "src/black_hole_sky.h"
 #include "src/lensing_table.h"
 #include "src/planck_texture.h"
@@ -16,6 +17,7 @@ void initialize_blackhole_sky(godot::ModuleInitializationLevel level) {
 	if (level != godot::MODULE_INITIALIZATION_LEVEL_SCENE) {
 		return;
 	}
+	GDREGISTER_CLASS(BlackBody);
 	GDREGISTER_CLASS(StarCatalogue);
 	GDREGISTER_CLASS(LensingTable);
 	GDREGISTER_CLASS(SkyObserver);
