@@ -17,6 +17,17 @@ static func device() -> Dictionary:
 	}
 
 
+## Does the processor draw, rather than a graphics card?
+static func is_software() -> bool:
+	if RenderingServer.get_video_adapter_type() == RenderingDevice.DEVICE_TYPE_CPU:
+		return true
+	var name := RenderingServer.get_video_adapter_name().to_lower()
+	for software: String in ["llvmpipe", "softpipe", "swiftshader", "basic render"]:
+		if name.contains(software):
+			return true
+	return false
+
+
 ## The lines to print.
 static func lines(results: Array[CheckResult]) -> PackedStringArray:
 	var text: PackedStringArray = []
@@ -24,6 +35,9 @@ static func lines(results: Array[CheckResult]) -> PackedStringArray:
 	for key: String in about:
 		if not str(about[key]).is_empty():
 			text.append("%-10s%s" % [key, about[key]])
+	if is_software():
+		text.append("The processor draws this: a graphics card, if there is one, is not used.")
+		text.append("Installing its driver (Vulkan, or OpenGL for gl_compatibility) helps.")
 	text.append("")
 	text.append("%-17s%-42s%-14s%-14s%s" % ["check", "worst measurement", "error", "limit", ""])
 	for result in results:
@@ -47,14 +61,15 @@ static func verdict(results: Array[CheckResult]) -> String:
 			% [results.size(), results.size()]
 		)
 	return (
-		"This GPU does NOT draw the sky right: %d of %d checks failed (%s)."
-		% [failed.size(), results.size(), ", ".join(failed)]
+		"This GPU does NOT draw the sky right: %d of %d checks failed (%s). Look at %s first."
+		% [failed.size(), results.size(), ", ".join(failed), failed[0]]
 	)
 
 
 ## All of it as JSON.
 static func json(results: Array[CheckResult]) -> String:
 	var found := device()
+	found["software"] = is_software()
 	found["passed"] = SelfTest.have_passed(results)
 	found["verdict"] = verdict(results)
 	var list: Array[Dictionary] = []

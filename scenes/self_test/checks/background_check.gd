@@ -8,9 +8,9 @@ const RAYS: int = 90
 ## Every so many pixels the sky is looked at.
 const STEP: int = 12
 ## Sine of the angle to the nearest boundary of colours that is left out.
-const MARGIN: float = 0.15
+const MARGIN: float = 0.25
 ## Pixels round the edge left out: there the whole sky crowds.
-const EDGE: float = 8.0
+const EDGE: float = 12.0
 
 ## The other half of the sky, in sRGB.
 const DIM: float = 0.5
@@ -27,10 +27,7 @@ func _init() -> void:
 	name = &"background"
 	compares = "the shadow's edge, and which octant of the sky is seen inside and outside of the ring"
 	fault = "The background is bent wrongly: shadow, ring or the sky beside them are out of place."
-	remedy = (
-		"If another check above has failed too, that comes first. Otherwise update the graphics driver;"
-		+ " if it is the newest, start with another renderer (--rendering-method)."
-	)
+	remedy = FIRST_THINGS_FIRST + newer_driver_or_renderer()
 
 
 func measure(stage: SelfTestStage, result: CheckResult) -> void:

@@ -16,8 +16,8 @@ func _init() -> void:
 		+ " they are rounded, damaged or not supported."
 	)
 	remedy = (
-		"Update the graphics driver, and switch off texture or precision savings in its settings."
-		+ " If that does not help, start with another renderer (--rendering-method)."
+		"Switch off savings of texture quality or precision in the driver's settings. "
+		+ newer_driver_or_renderer()
 	)
 
 

@@ -23,10 +23,7 @@ func _init(rng_seed: int = 3) -> void:
 		"Instance data are rounded, mixed up or missing:"
 		+ " stars stand in wrong places, have wrong colours, or are not there."
 	)
-	remedy = (
-		"Update the graphics driver; if it is the newest, start with another renderer"
-		+ " (--rendering-method)."
-	)
+	remedy = newer_driver_or_renderer()
 	var rng := RandomNumberGenerator.new()
 	rng.seed = rng_seed
 	for i in INSTANCES * FLOATS:

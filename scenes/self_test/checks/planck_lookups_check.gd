@@ -19,10 +19,7 @@ func _init() -> void:
 	name = &"planck_lookups"
 	compares = "colour and luminance at %d temperatures with Planck's law" % COUNT
 	fault = "The vertex shader reads the Planck table wrongly: colour and light of stars are wrong."
-	remedy = (
-		"If float_textures has failed too, that comes first. Otherwise update the graphics driver;"
-		+ " if it is the newest, start with another renderer (--rendering-method)."
-	)
+	remedy = FIRST_THINGS_FIRST + newer_driver_or_renderer()
 	for i in COUNT:
 		temperatures.append(COOLEST * pow(HOTTEST / COOLEST, i / (COUNT - 1.0)))
 

@@ -21,9 +21,7 @@ func _init() -> void:
 	compares = "every shader of the addon, compiled anew by this driver, against one that draws"
 	fault = "The graphics driver refuses a shader, so stars or background stay invisible."
 	remedy = (
-		"Update the graphics driver. If it is the newest, start with another renderer"
-		+ " (--rendering-method mobile, forward_plus or gl_compatibility)"
-		+ " and report the lines above with the name of the card."
+		newer_driver_or_renderer() + " Report what the engine says, with the name of the card."
 	)
 
 

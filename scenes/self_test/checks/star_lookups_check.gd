@@ -19,10 +19,7 @@ func _init(rng_seed: int = 1) -> void:
 	name = &"star_lookups"
 	compares = "%d images of stars, from the inverse table, with the exact solution" % COUNT
 	fault = "The vertex shader reads the lensing table wrongly or computes too coarsely."
-	remedy = (
-		"If float_textures has failed too, that comes first. Otherwise update the graphics driver;"
-		+ " if it is the newest, start with another renderer (--rendering-method)."
-	)
+	remedy = FIRST_THINGS_FIRST + newer_driver_or_renderer()
 	var rng := RandomNumberGenerator.new()
 	rng.seed = rng_seed
 	for i in COUNT:

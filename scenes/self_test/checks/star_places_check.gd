@@ -17,10 +17,7 @@ func _init() -> void:
 	name = &"star_places"
 	compares = "place and light of stars drawn, direct and second images, with the exact solution"
 	fault = "Stars are missing, in wrong places or of wrong brightness."
-	remedy = (
-		"If another check above has failed too, that comes first. Otherwise update the graphics driver;"
-		+ " if it is the newest, start with another renderer (--rendering-method)."
-	)
+	remedy = FIRST_THINGS_FIRST + newer_driver_or_renderer()
 	for motion: LensingTable.Motion in [LensingTable.MOTION_STATIC, LensingTable.MOTION_ORBIT]:
 		var observer := SkyObserver.new()
 		observer.motion = motion
