@@ -20,17 +20,22 @@ using namespace godot;
 namespace {
 
 constexpr int kFloatsPerStar = 12;
+constexpr int kMapCopies = 3;         // the sprite, across a seam, across a pole
 constexpr int kRenderPriority = -100; // behind everything else that is transparent, before the background
 constexpr float kEverywhere = 1e6F;
 constexpr float kEveryRank = std::numeric_limits<float>::infinity();
 constexpr double kHigherOrderFaintness = 6.0; // 6 x 5e-5: one step of an 8-bit sRGB picture
 
-/// A triangle whose inscribed circle is the unit circle: three vertices a star rather than a quad's four.
-RID make_sprite_mesh(RenderingServer *server) {
+/// Triangles whose inscribed circle is the unit circle: three vertices a star rather than a quad's four.
+/// Their z is their number, from which the shader of maps knows which of a sprite's copies each is.
+RID make_sprite_mesh(RenderingServer *server, int copies) {
 	PackedVector3Array vertices;
-	vertices.push_back(Vector3(0, 2, 0));
-	vertices.push_back(Vector3(-1.7320508F, -1, 0));
-	vertices.push_back(Vector3(1.7320508F, -1, 0));
+	for (int copy = 0; copy < copies; ++copy) {
+		const auto z = static_cast<real_t>(copy);
+		vertices.push_back(Vector3(0, 2, z));
+		vertices.push_back(Vector3(-1.7320508F, -1, z));
+		vertices.push_back(Vector3(1.7320508F, -1, z));
+	}
 	Array arrays;
 	arrays.resize(RenderingServer::ARRAY_MAX);
 	arrays[RenderingServer::ARRAY_VERTEX] = vertices;
@@ -66,9 +71,12 @@ void StarLayer::ensure_materials() {
 			ResourceLoader::get_singleton()->load("res://addons/blackhole_sky/shaders/stars_lensed.gdshader");
 	general_shader = ResourceLoader::get_singleton()->load(
 			"res://addons/blackhole_sky/shaders/stars_general.gdshader");
+	map_shader =
+			ResourceLoader::get_singleton()->load("res://addons/blackhole_sky/shaders/stars_map.gdshader");
 	flat_shader =
 			ResourceLoader::get_singleton()->load("res://addons/blackhole_sky/shaders/stars_flat.gdshader");
-	sprite = make_sprite_mesh(server);
+	sprite = make_sprite_mesh(server, 1);
+	map_sprite = make_sprite_mesh(server, kMapCopies);
 	for (int order = 0; order < kMaxOrders; ++order) {
 		const RID material = server->material_create();
 		server->material_set_render_priority(material, kRenderPriority + order);
@@ -112,7 +120,7 @@ void StarLayer::make_images(std::size_t group, int order) {
 	images.multimesh = server->multimesh_create();
 	server->multimesh_allocate_data(images.multimesh, static_cast<int32_t>(groups[group].stars.size()),
 			RenderingServer::MULTIMESH_TRANSFORM_3D);
-	server->multimesh_set_mesh(images.multimesh, sprite);
+	server->multimesh_set_mesh(images.multimesh, sprite_in_use());
 	server->multimesh_set_custom_aabb(images.multimesh, everywhere());
 	server->multimesh_set_buffer(images.multimesh, cell.rows);
 	server->multimesh_set_visible_instances(images.multimesh, 0);
@@ -146,7 +154,8 @@ void StarLayer::clear() {
 	groups.clear();
 	if (sprite.is_valid()) {
 		server->free_rid(sprite);
-		sprite = RID();
+		server->free_rid(map_sprite);
+		sprite = map_sprite = RID();
 		for (RID &material : materials) {
 			server->free_rid(material);
 			material = RID();
@@ -239,12 +248,15 @@ RID StarLayer::shader() const {
 			return lensed_shader->get_rid();
 		case SkyShaders::kGeneral:
 			return general_shader->get_rid();
+		case SkyShaders::kMap:
+			return map_shader->get_rid();
 		default:
 			return flat_shader->get_rid();
 	}
 }
 
 void StarLayer::apply(const SkySettings &settings) {
+	const bool other_sprite = (settings.shaders == SkyShaders::kMap) != (current.shaders == SkyShaders::kMap);
 	current = settings;
 	ensure_materials();
 	RenderingServer *server = RenderingServer::get_singleton();
@@ -269,6 +281,9 @@ void StarLayer::apply(const SkySettings &settings) {
 				draw(group, order, kEveryRank);
 			}
 			if (images.instance.is_valid()) {
+				if (other_sprite) {
+					server->multimesh_set_mesh(images.multimesh, sprite_in_use());
+				}
 				server->instance_set_layer_mask(images.instance, settings.render_layers);
 				show(images, order);
 			}

@@ -69,12 +69,15 @@ private:
 	void show(Images &images, int order);
 	int orders_drawn() const { return current.lensing ? current.image_orders : 1; }
 	godot::RID shader() const;
+	godot::RID sprite_in_use() const { return current.shaders == SkyShaders::kMap ? map_sprite : sprite; }
 
 	godot::Ref<godot::Shader> lensed_shader;
 	godot::Ref<godot::Shader> general_shader;
+	godot::Ref<godot::Shader> map_shader;
 	godot::Ref<godot::Shader> flat_shader;
 	std::array<godot::RID, kMaxOrders> materials;
 	godot::RID sprite;
+	godot::RID map_sprite;
 	godot::RID scenario;
 	std::vector<Cell> cells;
 	std::vector<blackhole::StarGroup> groups;

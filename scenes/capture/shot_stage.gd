@@ -73,7 +73,17 @@ func _dress(spec: ShotSpec, refusal: PackedStringArray) -> bool:
 	_sky.lensing = 1.0 if spec.lensing else 0.0
 	_sky.psf_sigma = spec.psf_sigma_px
 	_sky.exposure = spec.exposure_ev
-	_sky.observer_motion = spec.observer
+	# Without the hole the eye is at rest.
+	_sky.observer = spec.observer.to_sky_observer() if spec.lensing else null
+	spec.effects.apply_to(_sky)
+	_sky.projection = spec.projection
+	_sky.overlays = spec.overlays
+	if spec.overlays & BlackHoleSky.OVERLAY_CONSTELLATIONS and _sky.figure_field == null:
+		var figures := ConstellationFigures.load_file()
+		if not figures.error.is_empty():
+			refusal.append(figures.error)
+			return false
+		_sky.figure_field = ConstellationOverlay.bake(figures)
 	return _set_background(spec, refusal)
 
 
