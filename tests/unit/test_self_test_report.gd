@@ -79,6 +79,15 @@ func test_every_check_has_words() -> void:
 			assert_gt(words.length(), 20, "%s" % check.name)
 
 
+func test_the_shaders_of_the_addon_are_found() -> void:
+	var files: PackedStringArray = []
+	for file in DirAccess.get_files_at(ShadersCheck.FOLDER):
+		if file.ends_with(".gdshader"):
+			files.append(ShadersCheck.FOLDER.path_join(file))
+	assert_has(files, ShadersCheck.FOLDER.path_join("stars_lensed.gdshader"))
+	assert_eq(ShadersCheck.addon_shaders(), files)
+
+
 func test_the_command_line() -> void:
 	assert_false(SelfTestScene.is_asked_for([]))
 	assert_false(SelfTestScene.is_asked_for(["--self-tests", "self-test"]))

@@ -3,17 +3,10 @@ class_name ShadersCheck
 extends SelfCheck
 ## Does every shader of the addon compile with this driver, and draw something?
 
-const ADDON_SHADERS: PackedStringArray = [
-	"res://addons/blackhole_sky/shaders/stars_flat.gdshader",
-	"res://addons/blackhole_sky/shaders/stars_lensed.gdshader",
-	"res://addons/blackhole_sky/shaders/stars_general.gdshader",
-	"res://addons/blackhole_sky/shaders/background_flat.gdshader",
-	"res://addons/blackhole_sky/shaders/background_lensed.gdshader",
-	"res://addons/blackhole_sky/shaders/background_general.gdshader",
-]
+const FOLDER: String = "res://addons/blackhole_sky/shaders/"
 
 ## The shaders that are compiled anew.
-var paths: PackedStringArray = ADDON_SHADERS
+var paths := addon_shaders()
 
 
 func _init() -> void:
@@ -25,7 +18,18 @@ func _init() -> void:
 	)
 
 
+## All shaders of the addon, in an exported program too.
+static func addon_shaders() -> PackedStringArray:
+	var found: PackedStringArray = []
+	for file in ResourceLoader.list_directory(FOLDER):
+		if file.get_extension() == "gdshader":
+			found.append(FOLDER.path_join(file))
+	return found
+
+
 func measure(stage: SelfTestStage, result: CheckResult) -> void:
+	if paths.is_empty():
+		result.object("There are no shaders in %s." % FOLDER)
 	var unusable := 0
 	for path in paths:
 		var shader := (
