@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "src/register_types.h"
 
+#include "src/black_body.h"
 #include "src/black_hole_sky.h"
 #include "src/circular_orbit_path.h"
 #include "src/figure_field.h"
@@ -20,6 +21,7 @@ void initialize_blackhole_sky(godot::ModuleInitializationLevel level) {
 	if (level != godot::MODULE_INITIALIZATION_LEVEL_SCENE) {
 		return;
 	}
+	GDREGISTER_CLASS(BlackBody);
 	GDREGISTER_CLASS(StarCatalogue);
 	GDREGISTER_CLASS(LensingTable);
 	GDREGISTER_CLASS(FigureField);
