@@ -115,7 +115,7 @@ SUBCOMMANDS = {
     "capture": Subcommand("draw stills without a window: SHOT.json OUT.png|exr, or --batch LIST.json", capture.run),
     "bake": Subcommand("compute the lensing tables into lut/; --check computes and compares", _bake),
     "lut": Subcommand("the table tool: bake, inspect, verify, eval; see ./run lut --help", _lut),
-    "bench": Subcommand("measure and print a table: [OUT.json] [--renderer mobile|forward_plus|gl_compatibility]",
+    "bench": Subcommand("measure and print a table: [OUT.json] [--renderer mobile|forward_plus|gl_compatibility] [--scale]",
                         bench.run),
     "editor": Subcommand("open the project in the Godot editor", _editor),
     "clean": Subcommand("remove all that was built and drawn; --cache removes the downloads too", _clean),
