@@ -2,9 +2,9 @@
 extends SceneTree
 ## Command line: times drawing, the node's own work and loading, and writes the figures as JSON.
 ##
-##     godot --path . --rendering-method R -s res://scenes/bench/bench.gd -- OUT.json
+##     godot --path . --rendering-method R -s res://scenes/bench/bench.gd -- OUT.json [MANY.stars]
 ##
-## `./run bench` adds what is measured outside of the engine and prints the table.
+## A catalogue of millions of stars is measured when given. `./run bench` adds what is measured outside of the engine and prints the table.
 
 const WINDOW_SIZE := Vector2i(64, 64)
 
@@ -15,8 +15,8 @@ func _initialize() -> void:
 
 func _run() -> void:
 	var arguments := OS.get_cmdline_user_args()
-	if arguments.size() != 1:
-		printerr("bench: give the output file.")
+	if arguments.size() < 1 or arguments.size() > 2:
+		printerr("bench: give the output file and, if wanted, a large catalogue.")
 		quit(2)
 		return
 	DisplayServer.window_set_vsync_mode(DisplayServer.VSYNC_DISABLED)
@@ -45,6 +45,12 @@ func _run() -> void:
 	figures["catalogue_load_ms"] = NodeTimes.catalogue_load_ms()
 	figures.merge(await NodeTimes.update_ms(stage))
 	figures.merge(await _gpu_times(stage))
+	if arguments.size() == 2:
+		var scale := await ScaleTimes.measure(stage, arguments[1])
+		if scale.is_empty():
+			_fail("%s cannot be read." % arguments[1])
+			return
+		figures.merge(scale)
 	figures["march_picture"] = await MarchCheck.compare(stage)
 	var file := FileAccess.open(arguments[0], FileAccess.WRITE)
 	if file == null or not file.store_string(JSON.stringify(figures, "\t", false, true) + "\n"):

@@ -11,7 +11,7 @@ from setup import bench_parts, bench_report, paths, prepare, session
 from setup.console import Failure, say
 
 SCRIPT = "res://scenes/bench/bench.gd"
-USAGE = "usage: ./run bench [OUT.json] [--renderer mobile|forward_plus|gl_compatibility]"
+USAGE = "usage: ./run bench [OUT.json] [--renderer mobile|forward_plus|gl_compatibility] [--scale]"
 
 
 class _Parser(argparse.ArgumentParser):
@@ -24,6 +24,7 @@ def run(arguments: list[str]) -> int:
     parser = _Parser(add_help=False)
     parser.add_argument("out", nargs="?", default=str(paths.OUT / "bench.json"))
     parser.add_argument("--renderer", choices=session.RENDERERS, default="mobile")
+    parser.add_argument("--scale", action="store_true")
     chosen = parser.parse_args(arguments)
     out = Path(chosen.out).absolute()
     out.parent.mkdir(parents=True, exist_ok=True)
@@ -34,7 +35,8 @@ def run(arguments: list[str]) -> int:
     say(f"Measuring the first frame ({chosen.renderer})")
     figures |= bench_parts.first_frame_figures(godot, chosen.renderer)
     say(f"Measuring the pictures ({chosen.renderer}); this takes some minutes without a graphics card")
-    session.run_script(godot, SCRIPT, chosen.renderer, [str(out)])
+    many_stars = [str(bench_parts.many_stars())] if chosen.scale else []
+    session.run_script(godot, SCRIPT, chosen.renderer, [str(out), *many_stars])
     figures |= json.loads(out.read_text(encoding="utf-8"))
     bench_report.check(figures)
     held = bench_report.limits(figures)

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import json
 import re
+import sys
 import tempfile
 from pathlib import Path
 
@@ -14,6 +15,7 @@ from setup.console import Failure, tail
 from setup.godot import Godot
 
 PACKAGES = ["libgtest-dev", "libbenchmark-dev"]
+_SYNTHETIC_STARS = paths.ROOT / "tools" / "synthetic_stars" / "build_synthetic.py"
 _FIRST_FRAME = Path(__file__).parent / "first_frame.gd"
 _ROUNDS = 5
 _EMPTY_PROJECT = """config_version=5
@@ -47,6 +49,15 @@ def read_core_figures(text: str) -> dict[str, float]:
         "exact_phi_per_s": float(runs["exact_phi"]["items_per_second"]),
         "bake_tables_s": float(baking["cpu_time"]) * units[baking["time_unit"]],
     }
+
+
+def many_stars() -> Path:
+    """A catalogue of 2.5 million invented stars; made once, and anew when its builder changed."""
+    path = paths.BUILD / "synthetic-2500k.stars"
+    if not path.exists() or path.stat().st_mtime < _SYNTHETIC_STARS.stat().st_mtime:
+        command = [sys.executable, _SYNTHETIC_STARS, path]
+        process.require(command, paths.LOGS / "synthetic-stars.log", "Making the synthetic stars", timeout_s=300)
+    return path
 
 
 def first_frame_figures(godot: Godot, renderer: str) -> dict[str, float]:

@@ -20,6 +20,10 @@ _NUMBERS = (
 _TEXTS = ("renderer", "device", "godot")
 # Limits of figures, and of quotients of drawing times: at most so much, or (march) at least.
 _AT_MOST = {"bake_tables_s": 0.5, "node_update_ms": 0.1, "catalogue_load_ms": 40.0}
+# The same of figures that are measured only with --scale.
+_AT_MOST_OF_MANY_STARS = {
+    "stars_2500k_load_ms": 1500.0, "stars_2500k_bytes_per_star": 64.0, "stars_2500k_to_linear": 1.1,
+}
 _QUOTIENTS = {
     "lensed_stars_1_to_plain": ("lensed_stars_1", "plain_stars", 1.5),
     "lensed_stars_2_to_plain": ("lensed_stars_2", "plain_stars", 2.0),
@@ -46,6 +50,9 @@ def limits(figures: Figures) -> dict[str, dict[str, object]]:
     times = figures["gpu_ms"]
     assert isinstance(times, Mapping)
     result = {key: _held(_number(figures[key]), limit) for key, limit in _AT_MOST.items()}
+    result |= {
+        key: _held(_number(figures[key]), limit) for key, limit in _AT_MOST_OF_MANY_STARS.items() if key in figures
+    }
     for name, (picture, plain, limit) in _QUOTIENTS.items():
         result[name] = _held(_quotient(times[picture], times[plain]), limit)
     name, least = _MARCH

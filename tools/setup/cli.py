@@ -115,7 +115,7 @@ SUBCOMMANDS = {
     "capture": Subcommand("draw stills without a window: SHOT.json OUT.png|exr, or --batch LIST.json", capture.run),
     "bake": Subcommand("compute the lensing tables into lut/; --check computes and compares", _bake),
     "lut": Subcommand("the table tool: bake, inspect, verify, eval; see ./run lut --help", _lut),
-    "bench": Subcommand("measure and print a table: [OUT.json] [--renderer mobile|forward_plus|gl_compatibility]",
+    "bench": Subcommand("measure and print a table: [OUT.json] [--renderer mobile|forward_plus|gl_compatibility] [--scale]",
                         bench.run),
     "self-test": Subcommand("is this GPU right? draws, reads back, compares with the exact solution: [OUT.json] "
                             "[--renderer ...]", self_test.run),

@@ -49,6 +49,16 @@ class Report(unittest.TestCase):
         self.assertEqual(held["node_update_ms"], {"value": 0.05, "at_most": 0.1, "met": True})
         self.assertNotIn("march_picture_difference", held)
 
+    def test_many_stars_are_held_against_limits_when_measured(self) -> None:
+        self.assertNotIn("stars_2500k_to_linear", bench_report.limits(_figures()))
+        held = bench_report.limits({
+            **_figures(), "stars_2500k_load_ms": 1600.0, "stars_2500k_bytes_per_star": 64.0, "stars_2500k_to_linear": 1.2,
+        })
+        met = {name: entry["met"] for name, entry in held.items() if name.startswith("stars_2500k")}
+        self.assertEqual(met, {
+            "stars_2500k_load_ms": False, "stars_2500k_bytes_per_star": True, "stars_2500k_to_linear": False,
+        })
+
     def test_a_wrong_marched_picture_is_told(self) -> None:
         held = bench_report.limits({**_figures(), "march_picture": {"median_difference": 0.0, "p99_difference": 0.5}})
         self.assertFalse(held["march_picture_difference"]["met"])

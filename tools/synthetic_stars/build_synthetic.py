@@ -18,7 +18,7 @@ DEFAULT_STARS = 2_500_000
 # The sky's own counts, roughly: 118,218 stars to V = 8.5, and log N = 0.45 V + constant.
 COUNT_SLOPE = 0.45
 COUNT_AT_8_5 = 118_218
-# Stars lie about the galactic plane as exp(-|sin b| / SCALE): three in four within 30 degrees of it.
+# Stars lie about the galactic plane as exp(-|sin b| / SCALE): four in five within 30 degrees of it.
 SCALE = 0.36
 # The temperatures below which 0, 1/12, 2/12 ... of the stars lie, kelvin: a bump of red giants, one of F and G dwarfs.
 TEMPERATURES = (2700.0, 3650.0, 4050.0, 4350.0, 4650.0, 5150.0, 5750.0, 6200.0, 6700.0, 7600.0, 9200.0, 11500.0, 26000.0)

@@ -14,20 +14,16 @@
 namespace blackhole {
 namespace {
 
+constexpr int kDivisions = 5; // cells along a cube face's edge
 constexpr std::size_t kPiece = 16384; // stars that make a thread worth while
 
-/// Cells along the edge of a cube's face.
-int divisions_for(std::size_t stars) {
-	return stars < kManyStars ? 5 : 10;
-}
-
-int division_of(double coordinate, int divisions) {
+int division_of(double coordinate) {
 	// Equal angles rather than equal lengths, so that cells are of like size.
 	const double along = std::atan(coordinate) / std::atan(1.0);
-	return std::clamp(static_cast<int>((along + 1.0) * 0.5 * divisions), 0, divisions - 1);
+	return std::clamp(static_cast<int>((along + 1.0) * 0.5 * kDivisions), 0, kDivisions - 1);
 }
 
-std::size_t cell_of(const glm::dvec3 &direction, int divisions) {
+std::size_t cell_of(const glm::dvec3 &direction) {
 	const glm::dvec3 size = glm::dvec3(std::abs(direction.x), std::abs(direction.y), std::abs(direction.z));
 	int axis = 0;
 	if (size.y >= size.x && size.y >= size.z) {
@@ -39,7 +35,7 @@ std::size_t cell_of(const glm::dvec3 &direction, int divisions) {
 	const double s = direction[(axis + 1) % 3] / std::abs(major);
 	const double t = direction[(axis + 2) % 3] / std::abs(major);
 	const int face = 2 * axis + (major < 0.0 ? 1 : 0);
-	const int cell = (face * divisions + division_of(s, divisions)) * divisions + division_of(t, divisions);
+	const int cell = (face * kDivisions + division_of(s)) * kDivisions + division_of(t);
 	return static_cast<std::size_t>(cell);
 }
 
@@ -90,14 +86,13 @@ void bound(const StarTable &table, const std::vector<glm::dvec3> &directions, co
 std::vector<StarGroup> group_stars(
 		const StarTable &table, const std::vector<glm::dvec3> &directions, const PlanckTable &planck) {
 	const std::size_t count = table.stars.size();
-	const int divisions = divisions_for(count);
 	std::vector<std::uint16_t> cell_of_star(count);
 	parallel_for(count, kPiece, [&](std::size_t first, std::size_t end) {
 		for (std::size_t i = first; i < end; ++i) {
-			cell_of_star[i] = static_cast<std::uint16_t>(cell_of(directions[i], divisions));
+			cell_of_star[i] = static_cast<std::uint16_t>(cell_of(directions[i]));
 		}
 	});
-	std::vector<StarGroup> groups(std::size_t{6} * static_cast<std::size_t>(divisions * divisions));
+	std::vector<StarGroup> groups(std::size_t{6} * kDivisions * kDivisions);
 	std::vector<std::size_t> sizes(groups.size());
 	for (const std::uint16_t cell : cell_of_star) {
 		++sizes[cell];

@@ -72,18 +72,6 @@ TEST(StarGroups, AreSmallPartsOfTheSky) {
 	}
 }
 
-TEST(StarGroups, OfVeryManyStarsAreSmaller) {
-	const std::vector<StarGroup> groups = grouped(random_table(kManyStars));
-	EXPECT_LE(groups.size(), 600U);
-	std::size_t stars = 0;
-	for (const StarGroup &group : groups) {
-		EXPECT_LT(group.angular_radius, 0.15);
-		EXPECT_TRUE(std::is_sorted(group.ranks.begin(), group.ranks.end()));
-		stars += group.stars.size();
-	}
-	EXPECT_EQ(stars, kManyStars);
-}
-
 TEST(StarDirections, AreThoseOfTheStarsInTheirOrder) {
 	const StarTable table = random_table(50000);
 	const std::vector<glm::dvec3> directions = star_directions(table);
