@@ -66,6 +66,8 @@ void BackgroundLayer::ensure() {
 			"res://addons/blackhole_sky/shaders/background_lensed.gdshader");
 	general_shader = ResourceLoader::get_singleton()->load(
 			"res://addons/blackhole_sky/shaders/background_general.gdshader");
+	map_shader = ResourceLoader::get_singleton()->load(
+			"res://addons/blackhole_sky/shaders/background_map.gdshader");
 	flat_shader = ResourceLoader::get_singleton()->load(
 			"res://addons/blackhole_sky/shaders/background_flat.gdshader");
 	material = server->material_create();
@@ -98,7 +100,7 @@ void BackgroundLayer::clear() {
 void BackgroundLayer::show() {
 	if (instance.is_valid()) {
 		RenderingServer::get_singleton()->instance_set_visible(
-				instance, layer_shown && (source != 0 || redshift_map));
+				instance, layer_shown && (source != 0 || redshift_map || overlaid));
 	}
 }
 
@@ -113,11 +115,18 @@ void BackgroundLayer::set_scenario(const RID &p_scenario) {
 	RenderingServer::get_singleton()->instance_set_scenario(instance, scenario);
 }
 
-void BackgroundLayer::set_tables(const RID &forward_table, const RID &planck_table) {
+void BackgroundLayer::set_tables(
+		const RID &forward_table, const RID &inverse_table, const RID &planck_table) {
 	ensure();
 	RenderingServer *server = RenderingServer::get_singleton();
 	server->material_set_param(material, "_forward_table", forward_table);
+	server->material_set_param(material, "_inverse_table", inverse_table);
 	server->material_set_param(material, "_planck_table", planck_table);
+}
+
+void BackgroundLayer::set_figure_field(const RID &cube_map) {
+	ensure();
+	RenderingServer::get_singleton()->material_set_param(material, "_figure_field", cube_map);
 }
 
 void BackgroundLayer::set_panorama_is_light(bool is_light) {
@@ -145,15 +154,30 @@ void BackgroundLayer::set_source(int kind, const RID &panorama, double luminance
 	show();
 }
 
+RID BackgroundLayer::shader(SkyShaders needed) const {
+	switch (needed) {
+		case SkyShaders::kRadial:
+			return lensed_shader->get_rid();
+		case SkyShaders::kGeneral:
+			return general_shader->get_rid();
+		case SkyShaders::kMap:
+			return map_shader->get_rid();
+		default:
+			return flat_shader->get_rid();
+	}
+}
+
 void BackgroundLayer::apply(const SkySettings &settings) {
 	ensure();
 	RenderingServer *server = RenderingServer::get_singleton();
 	exposure = settings.exposure;
-	const Ref<Shader> &shader = settings.shaders == SkyShaders::kFlat ? flat_shader
-			: settings.shaders == SkyShaders::kRadial                 ? lensed_shader
-																	  : general_shader;
-	server->material_set_shader(material, shader->get_rid());
+	server->material_set_shader(material, shader(settings.shaders));
 	set_sky_uniforms(material, settings);
+	server->material_set_param(material, "_overlays", settings.overlays);
+	server->material_set_param(material, "_overlay_width", settings.overlay_width);
+	server->material_set_param(material, "_has_hole", settings.lensing);
+	overlaid = settings.overlays != 0;
+	show();
 	server->material_set_param(material, "_panorama_luminance", panorama_luminance * exposure);
 	server->instance_set_layer_mask(instance, settings.render_layers);
 }

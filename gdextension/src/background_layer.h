@@ -18,7 +18,10 @@ public:
 	void clear();
 	void set_scenario(const godot::RID &scenario);
 	void set_shown(bool shown);
-	void set_tables(const godot::RID &forward_table, const godot::RID &planck_table);
+	void set_tables(
+			const godot::RID &forward_table, const godot::RID &inverse_table, const godot::RID &planck_table);
+	/// Cube map of the vectors to the nearest line of the figures.
+	void set_figure_field(const godot::RID &cube_map);
 	/// Shows frequency ratios in false colours instead of the sky.
 	void set_redshift_map(bool shown);
 	/// Whether the panorama's light is shifted in frequency.
@@ -29,10 +32,12 @@ public:
 
 private:
 	void ensure();
+	godot::RID shader(SkyShaders needed) const;
 	void show();
 
 	godot::Ref<godot::Shader> lensed_shader;
 	godot::Ref<godot::Shader> general_shader;
+	godot::Ref<godot::Shader> map_shader;
 	godot::Ref<godot::Shader> flat_shader;
 	godot::RID material;
 	godot::RID quad;
@@ -42,5 +47,6 @@ private:
 	double exposure = 1.0;
 	int source = 0;
 	bool redshift_map = false;
+	bool overlaid = false;
 	bool layer_shown = true;
 };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 #include <godot_cpp/classes/rendering_server.hpp>
 #include <godot_cpp/classes/viewport.hpp>
@@ -11,8 +12,10 @@
 #include <godot_cpp/classes/world3d.hpp>
 #include <godot_cpp/variant/callable_method_pointer.hpp>
 
+#include "core/relativity/physical_scale.h"
 #include "core/relativity/shadow.h"
 #include "src/glm_adapter.h"
+#include "src/image_projector.h"
 #include "src/planck_texture.h"
 #include "src/star_choice.h"
 
@@ -38,13 +41,18 @@ bool BlackHoleSky::is_lensing() const {
 }
 
 SkyShaders BlackHoleSky::shaders_needed() const {
+	if (projection != PROJECTION_PERSPECTIVE) {
+		return SkyShaders::kMap;
+	}
 	const LensingTable::Motion motion = get_observer_motion();
 	const bool radial = motion != LensingTable::MOTION_ORBIT && motion != LensingTable::MOTION_VELOCITY;
 	if (is_lensing()) {
-		return radial && effects == lensing_shader::kAllEffects ? SkyShaders::kRadial : SkyShaders::kGeneral;
+		const bool usual = radial && effects == lensing_shader::kAllEffects && overlays == 0;
+		return usual ? SkyShaders::kRadial : SkyShaders::kGeneral;
 	}
 	// Without the hole a given velocity still aberrates and shifts; the other motions are the hole's.
-	return motion == LensingTable::MOTION_VELOCITY ? SkyShaders::kGeneral : SkyShaders::kFlat;
+	const bool flies = motion == LensingTable::MOTION_VELOCITY;
+	return flies || overlays != 0 ? SkyShaders::kGeneral : SkyShaders::kFlat;
 }
 
 void BlackHoleSky::enter_world() {
@@ -119,7 +127,14 @@ void BlackHoleSky::apply_settings() {
 	settings.observer.axis = to_glm(settings.sky_to_world.xform(to_godot(settings.observer.axis)));
 	settings.observer.celerity = to_glm(settings.sky_to_world.xform(to_godot(settings.observer.celerity)));
 	settings.effects = effects;
+	settings.projection = projection;
+	settings.overlays = figure_field.is_valid() ? overlays : overlays & ~OVERLAY_CONSTELLATIONS;
+	settings.overlay_width = overlay_width;
 	if (!settings.lensing) {
+		// Only a given velocity is one without the hole.
+		if (get_observer_motion() != LensingTable::MOTION_VELOCITY) {
+			settings.observer = blackhole::ObserverField();
+		}
 		// A place where the hole is of no account, and no rain falls.
 		settings.hole_position = Vector3(0, 1e9, 0);
 		settings.inverse_radius = 1.0;
@@ -178,7 +193,7 @@ void BlackHoleSky::table_changed() {
 		forward = table->get_forward_texture()->get_rid();
 	}
 	star_layer.set_textures(inverse, planck_texture()->get_rid());
-	background_layer.set_tables(forward, planck_texture()->get_rid());
+	background_layer.set_tables(forward, inverse, planck_texture()->get_rid());
 	settings_changed();
 	update_configuration_warnings();
 }
@@ -210,6 +225,22 @@ void BlackHoleSky::set_table(const Ref<LensingTable> &p_table) {
 void BlackHoleSky::set_schwarzschild_radius(double metres) {
 	schwarzschild_radius = limited(metres, 1e-6, kLargest, schwarzschild_radius);
 	settings_changed();
+}
+
+void BlackHoleSky::set_mass_solar(double masses) {
+	mass_solar = limited(masses, 1e-12, kLargest, mass_solar);
+}
+
+double BlackHoleSky::get_length_unit_km() const {
+	return blackhole::PhysicalScale::of_mass(mass_solar).value->metres() / 1000.0;
+}
+
+double BlackHoleSky::get_time_unit_seconds() const {
+	return blackhole::PhysicalScale::of_mass(mass_solar).value->seconds();
+}
+
+double BlackHoleSky::get_acceleration_unit_g() const {
+	return blackhole::PhysicalScale::of_mass(mass_solar).value->standard_gravities();
 }
 
 void BlackHoleSky::set_lensing(double fraction) {
@@ -255,6 +286,29 @@ void BlackHoleSky::set_effect(int effect, bool on) {
 
 void BlackHoleSky::set_higher_orders(bool shown) {
 	higher_orders = shown;
+	settings_changed();
+}
+
+void BlackHoleSky::set_overlays(int shown) {
+	overlays = shown;
+	settings_changed();
+	update_configuration_warnings();
+}
+
+void BlackHoleSky::set_overlay_width(double pixels) {
+	overlay_width = limited(pixels, 0.5, 20.0, overlay_width);
+	settings_changed();
+}
+
+void BlackHoleSky::set_figure_field(const Ref<Cubemap> &field) {
+	figure_field = field;
+	background_layer.set_figure_field(field.is_valid() ? field->get_rid() : RID());
+	settings_changed();
+	update_configuration_warnings();
+}
+
+void BlackHoleSky::set_projection(Projection kind) {
+	projection = kind;
 	settings_changed();
 }
 
@@ -368,4 +422,22 @@ String BlackHoleSky::get_observer_refusal_at(const Vector3 &world_position) cons
 	}
 	const auto at = blackhole::local_observer(observer_field(), to_glm(place_of(world_position)));
 	return at ? String() : String::utf8(at.error.c_str());
+}
+
+Vector2 BlackHoleSky::project_image(Camera3D *camera, const Vector3 &direction, int order) {
+	constexpr real_t kNowhere = std::numeric_limits<real_t>::infinity();
+	const Vector2 nowhere(kNowhere, kNowhere);
+	const bool asked_well = camera != nullptr && camera->is_inside_tree() && direction.is_finite() &&
+			direction.length_squared() > 0 && order >= 0 && order < StarLayer::kMaxOrders;
+	if (!asked_well || !is_inside_tree()) {
+		return nowhere;
+	}
+	if (settings_dirty) {
+		apply_settings();
+	}
+	if (order > 0 && (!settings.lensing || order >= settings.image_orders)) {
+		return nowhere;
+	}
+	return ::project_image(settings, is_lensing() ? table->data().get() : nullptr, camera, direction, order)
+			.value_or(nowhere);
 }

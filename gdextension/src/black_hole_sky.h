@@ -3,6 +3,8 @@
 
 #include <vector>
 
+#include <godot_cpp/classes/camera3d.hpp>
+#include <godot_cpp/classes/cubemap.hpp>
 #include <godot_cpp/classes/node3d.hpp>
 #include <godot_cpp/classes/ref.hpp>
 #include <godot_cpp/classes/texture2d.hpp>
@@ -31,6 +33,27 @@ public:
 		EFFECT_DOPPLER = 8,
 		EFFECT_MAGNIFICATION = 16,
 	};
+	/// Lines over the sky: the bits of overlays.gdshaderinc.
+	enum Overlay {
+		OVERLAY_CONSTELLATIONS = 1,
+		OVERLAY_EQUATORIAL_GRID = 2,
+		OVERLAY_GALACTIC_GRID = 4,
+		OVERLAY_SHADOW_EDGE = 8,
+		OVERLAY_EINSTEIN_RINGS = 16,
+		OVERLAY_MOTION = 32,
+		OVERLAY_SHADOW_DIAMETER = 64,
+		OVERLAY_STRAIGHT_LIGHT = 128,
+	};
+	/// How directions are laid out on the picture: the numbers of map_projection.gdshaderinc.
+	enum Projection {
+		PROJECTION_PERSPECTIVE = 0,
+		PROJECTION_EQUIRECTANGULAR = 1,
+		PROJECTION_MERCATOR = 2,
+		PROJECTION_MOLLWEIDE = 3,
+		PROJECTION_FISHEYE_180 = 4,
+		PROJECTION_FISHEYE_220 = 5,
+		PROJECTION_FISHEYE_360 = 6,
+	};
 	/// How the light of a star spreads.
 	enum PointSpreadModel { PSF_GAUSSIAN = 0, PSF_AIRY = 1, PSF_EYE = 2 };
 	enum Background { BACKGROUND_NONE = 0, BACKGROUND_GRID = 1, BACKGROUND_PANORAMA = 2 };
@@ -39,6 +62,11 @@ public:
 
 	void set_schwarzschild_radius(double metres);
 	double get_schwarzschild_radius() const { return schwarzschild_radius; }
+	void set_mass_solar(double masses);
+	double get_mass_solar() const { return mass_solar; }
+	double get_length_unit_km() const;
+	double get_time_unit_seconds() const;
+	double get_acceleration_unit_g() const;
 	void set_lensing(double fraction);
 	double get_lensing() const { return lensing; }
 	void set_observer_motion(LensingTable::Motion motion);
@@ -76,6 +104,14 @@ public:
 	void set_redshift_map(bool shown);
 	bool is_redshift_map_shown() const { return redshift_map; }
 
+	void set_overlays(int shown);
+	int get_overlays() const { return overlays; }
+	void set_overlay_width(double pixels);
+	double get_overlay_width() const { return overlay_width; }
+	void set_figure_field(const godot::Ref<godot::Cubemap> &field);
+	godot::Ref<godot::Cubemap> get_figure_field() const { return figure_field; }
+	void set_projection(Projection kind);
+	Projection get_projection() const { return projection; }
 	void set_exposure(double ev);
 	double get_exposure() const { return exposure; }
 	void set_background(Background kind);
@@ -92,6 +128,8 @@ public:
 	double distance_to(const godot::Vector3 &world_position) const;
 	double shadow_angle_at(const godot::Vector3 &world_position) const;
 	godot::String get_observer_refusal_at(const godot::Vector3 &world_position) const;
+	godot::Vector2 project_image(godot::Camera3D *camera, const godot::Vector3 &direction, int order);
+	int64_t get_star_buffer_bytes() const { return star_layer.buffer_bytes(); }
 	double get_update_time_ms() const { return update_time_ms; }
 
 	godot::PackedStringArray _get_configuration_warnings() const override;
@@ -122,11 +160,16 @@ private:
 	SkySettings settings;
 
 	double schwarzschild_radius = 1.0;
+	double mass_solar = 10.0;
 	double lensing = 1.0;
 	godot::Ref<SkyObserver> observer; ///< null: static
 	int effects = lensing_shader::kAllEffects;
 	bool higher_orders = true;
 	double saturation = 1.0;
+	Projection projection = PROJECTION_PERSPECTIVE;
+	int overlays = 0;
+	double overlay_width = 1.5;
+	godot::Ref<godot::Cubemap> figure_field;
 	bool redshift_map = false;
 	godot::Ref<LensingTable> table;
 	godot::Ref<StarCatalogue> catalogue;
@@ -151,4 +194,6 @@ private:
 
 VARIANT_ENUM_CAST(BlackHoleSky::Background);
 VARIANT_ENUM_CAST(BlackHoleSky::Effect);
+VARIANT_ENUM_CAST(BlackHoleSky::Projection);
+VARIANT_ENUM_CAST(BlackHoleSky::Overlay);
 VARIANT_ENUM_CAST(BlackHoleSky::PointSpreadModel);

@@ -23,6 +23,11 @@ PackedStringArray BlackHoleSky::_get_configuration_warnings() const {
 		warnings.push_back("The background is a panorama, but none is set. Set `panorama`, or choose another "
 						   "background.");
 	}
+	if ((overlays & OVERLAY_CONSTELLATIONS) != 0 && figure_field.is_null()) {
+		warnings.push_back("Constellation figures are switched on, but there are none. Give `figure_field` "
+						   "the cube map of "
+						   "ConstellationOverlay.bake().");
+	}
 	if (!is_inside_tree()) {
 		return warnings;
 	}
@@ -56,6 +61,11 @@ void BlackHoleSky::_bind_methods() {
 	ClassDB::bind_method(
 			D_METHOD("set_schwarzschild_radius", "metres"), &BlackHoleSky::set_schwarzschild_radius);
 	ClassDB::bind_method(D_METHOD("get_schwarzschild_radius"), &BlackHoleSky::get_schwarzschild_radius);
+	ClassDB::bind_method(D_METHOD("set_mass_solar", "masses"), &BlackHoleSky::set_mass_solar);
+	ClassDB::bind_method(D_METHOD("get_mass_solar"), &BlackHoleSky::get_mass_solar);
+	ClassDB::bind_method(D_METHOD("get_length_unit_km"), &BlackHoleSky::get_length_unit_km);
+	ClassDB::bind_method(D_METHOD("get_time_unit_seconds"), &BlackHoleSky::get_time_unit_seconds);
+	ClassDB::bind_method(D_METHOD("get_acceleration_unit_g"), &BlackHoleSky::get_acceleration_unit_g);
 	ClassDB::bind_method(D_METHOD("set_lensing", "fraction"), &BlackHoleSky::set_lensing);
 	ClassDB::bind_method(D_METHOD("get_lensing"), &BlackHoleSky::get_lensing);
 	ClassDB::bind_method(D_METHOD("set_observer_motion", "motion"), &BlackHoleSky::set_observer_motion);
@@ -90,6 +100,14 @@ void BlackHoleSky::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_saturation"), &BlackHoleSky::get_saturation);
 	ClassDB::bind_method(D_METHOD("set_redshift_map", "shown"), &BlackHoleSky::set_redshift_map);
 	ClassDB::bind_method(D_METHOD("is_redshift_map_shown"), &BlackHoleSky::is_redshift_map_shown);
+	ClassDB::bind_method(D_METHOD("set_overlays", "shown"), &BlackHoleSky::set_overlays);
+	ClassDB::bind_method(D_METHOD("get_overlays"), &BlackHoleSky::get_overlays);
+	ClassDB::bind_method(D_METHOD("set_overlay_width", "pixels"), &BlackHoleSky::set_overlay_width);
+	ClassDB::bind_method(D_METHOD("get_overlay_width"), &BlackHoleSky::get_overlay_width);
+	ClassDB::bind_method(D_METHOD("set_figure_field", "field"), &BlackHoleSky::set_figure_field);
+	ClassDB::bind_method(D_METHOD("get_figure_field"), &BlackHoleSky::get_figure_field);
+	ClassDB::bind_method(D_METHOD("set_projection", "kind"), &BlackHoleSky::set_projection);
+	ClassDB::bind_method(D_METHOD("get_projection"), &BlackHoleSky::get_projection);
 	ClassDB::bind_method(D_METHOD("set_exposure", "ev"), &BlackHoleSky::set_exposure);
 	ClassDB::bind_method(D_METHOD("get_exposure"), &BlackHoleSky::get_exposure);
 	ClassDB::bind_method(D_METHOD("set_background", "kind"), &BlackHoleSky::set_background);
@@ -107,6 +125,9 @@ void BlackHoleSky::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("shadow_angle_at", "world_position"), &BlackHoleSky::shadow_angle_at);
 	ClassDB::bind_method(
 			D_METHOD("get_observer_refusal_at", "world_position"), &BlackHoleSky::get_observer_refusal_at);
+	ClassDB::bind_method(D_METHOD("project_image", "camera", "direction", "order"),
+			&BlackHoleSky::project_image, DEFVAL(0));
+	ClassDB::bind_method(D_METHOD("get_star_buffer_bytes"), &BlackHoleSky::get_star_buffer_bytes);
 	ClassDB::bind_method(D_METHOD("get_update_time_ms"), &BlackHoleSky::get_update_time_ms);
 	ClassDB::bind_method(D_METHOD("get_warnings"), &BlackHoleSky::_get_configuration_warnings);
 
@@ -114,6 +135,9 @@ void BlackHoleSky::_bind_methods() {
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "schwarzschild_radius", PROPERTY_HINT_RANGE,
 						 "0.001,1000,0.001,or_greater,exp,suffix:m"),
 			"set_schwarzschild_radius", "get_schwarzschild_radius");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "mass_solar", PROPERTY_HINT_RANGE,
+						 "1,10000000000,0.1,or_less,or_greater,exp,suffix:M☉"),
+			"set_mass_solar", "get_mass_solar");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "lensing", PROPERTY_HINT_RANGE, "0,1,0.001"), "set_lensing",
 			"get_lensing");
 	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "observer", PROPERTY_HINT_RESOURCE_TYPE, "SkyObserver"),
@@ -159,7 +183,22 @@ void BlackHoleSky::_bind_methods() {
 			EFFECT_MAGNIFICATION);
 	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "effect_higher_orders"), "set_higher_orders",
 			"are_higher_orders_shown");
+	ADD_GROUP("Overlays", "");
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "overlays", PROPERTY_HINT_FLAGS,
+						 "Constellations,Equatorial Grid,Galactic Grid,Shadow Edge,Einstein Rings,Direction "
+						 "of Motion,"
+						 "Shadow Diameter,Straight Light"),
+			"set_overlays", "get_overlays");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "overlay_width", PROPERTY_HINT_RANGE,
+						 "0.5,5,0.1,or_greater,suffix:px"),
+			"set_overlay_width", "get_overlay_width");
+	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "figure_field", PROPERTY_HINT_RESOURCE_TYPE, "Cubemap"),
+			"set_figure_field", "get_figure_field");
 	ADD_GROUP("Picture", "");
+	ADD_PROPERTY(
+			PropertyInfo(Variant::INT, "projection", PROPERTY_HINT_ENUM,
+					"Perspective,Equirectangular,Mercator,Mollweide,Fisheye 180°,Fisheye 220°,Fisheye 360°"),
+			"set_projection", "get_projection");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "exposure", PROPERTY_HINT_RANGE,
 						 "-10,10,0.1,or_less,or_greater,suffix:EV"),
 			"set_exposure", "get_exposure");
@@ -183,6 +222,21 @@ void BlackHoleSky::_bind_methods() {
 	BIND_ENUM_CONSTANT(EFFECT_GRAVITATIONAL_SHIFT);
 	BIND_ENUM_CONSTANT(EFFECT_DOPPLER);
 	BIND_ENUM_CONSTANT(EFFECT_MAGNIFICATION);
+	BIND_ENUM_CONSTANT(OVERLAY_CONSTELLATIONS);
+	BIND_ENUM_CONSTANT(OVERLAY_EQUATORIAL_GRID);
+	BIND_ENUM_CONSTANT(OVERLAY_GALACTIC_GRID);
+	BIND_ENUM_CONSTANT(OVERLAY_SHADOW_EDGE);
+	BIND_ENUM_CONSTANT(OVERLAY_EINSTEIN_RINGS);
+	BIND_ENUM_CONSTANT(OVERLAY_MOTION);
+	BIND_ENUM_CONSTANT(OVERLAY_SHADOW_DIAMETER);
+	BIND_ENUM_CONSTANT(OVERLAY_STRAIGHT_LIGHT);
+	BIND_ENUM_CONSTANT(PROJECTION_PERSPECTIVE);
+	BIND_ENUM_CONSTANT(PROJECTION_EQUIRECTANGULAR);
+	BIND_ENUM_CONSTANT(PROJECTION_MERCATOR);
+	BIND_ENUM_CONSTANT(PROJECTION_MOLLWEIDE);
+	BIND_ENUM_CONSTANT(PROJECTION_FISHEYE_180);
+	BIND_ENUM_CONSTANT(PROJECTION_FISHEYE_220);
+	BIND_ENUM_CONSTANT(PROJECTION_FISHEYE_360);
 	BIND_ENUM_CONSTANT(PSF_GAUSSIAN);
 	BIND_ENUM_CONSTANT(PSF_AIRY);
 	BIND_ENUM_CONSTANT(PSF_EYE);

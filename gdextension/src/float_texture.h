@@ -8,6 +8,15 @@
 #include <godot_cpp/classes/image_texture.hpp>
 #include <godot_cpp/classes/ref.hpp>
 #include <godot_cpp/variant/packed_byte_array.hpp>
+#include <godot_cpp/variant/packed_float32_array.hpp>
+
+/// A copy of these numbers as the engine's array.
+inline godot::PackedFloat32Array packed_floats(const std::vector<float> &values) {
+	godot::PackedFloat32Array packed;
+	packed.resize(static_cast<int64_t>(values.size()));
+	std::memcpy(packed.ptrw(), values.data(), values.size() * sizeof(float));
+	return packed;
+}
 
 /// An RGBA32F texture of width x height texels from 4 width height floats, row-major.
 inline godot::Ref<godot::ImageTexture> make_float_texture(

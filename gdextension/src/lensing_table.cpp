@@ -149,6 +149,14 @@ void LensingTable::finish_bake() {
 	emit_signal("bake_finished", made.has_value());
 }
 
+PackedFloat32Array LensingTable::get_inverse_texels() const {
+	return tables ? packed_floats(tables->inverse) : PackedFloat32Array();
+}
+
+PackedFloat32Array LensingTable::get_forward_texels() const {
+	return tables ? packed_floats(tables->forward) : PackedFloat32Array();
+}
+
 double LensingTable::shadow_angle(double radius, Motion motion) {
 	if (!(radius > 0.0) || (motion == MOTION_STATIC && radius <= 1.0)) {
 		return std::numeric_limits<double>::quiet_NaN();
@@ -178,6 +186,8 @@ void LensingTable::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_error_message"), &LensingTable::get_error_message);
 	ClassDB::bind_method(D_METHOD("get_inverse_texture"), &LensingTable::get_inverse_texture);
 	ClassDB::bind_method(D_METHOD("get_forward_texture"), &LensingTable::get_forward_texture);
+	ClassDB::bind_method(D_METHOD("get_inverse_texels"), &LensingTable::get_inverse_texels);
+	ClassDB::bind_method(D_METHOD("get_forward_texels"), &LensingTable::get_forward_texels);
 	ClassDB::bind_static_method(
 			"LensingTable", D_METHOD("shadow_angle", "radius", "motion"), &LensingTable::shadow_angle);
 	ClassDB::bind_static_method("LensingTable", D_METHOD("star_image", "position", "star", "order", "motion"),

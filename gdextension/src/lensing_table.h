@@ -13,6 +13,7 @@
 #include <godot_cpp/classes/resource.hpp>
 #include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/variant/dictionary.hpp>
+#include <godot_cpp/variant/packed_float32_array.hpp>
 #include <godot_cpp/variant/string.hpp>
 
 #include "core/tables/lensing_tables.h"
@@ -68,6 +69,9 @@ public:
 
 	godot::Ref<godot::ImageTexture> get_inverse_texture() const { return inverse_texture; }
 	godot::Ref<godot::ImageTexture> get_forward_texture() const { return forward_texture; }
+
+	godot::PackedFloat32Array get_inverse_texels() const;
+	godot::PackedFloat32Array get_forward_texels() const;
 
 	static double shadow_angle(double radius, Motion motion);
 	static godot::Dictionary star_image(

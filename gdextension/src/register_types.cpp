@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "src/register_types.h"
 
+#include "src/black_body.h"
 #include "src/black_hole_sky.h"
+#include "src/circular_orbit_path.h"
+#include "src/figure_field.h"
 #include "src/lensing_table.h"
+#include "src/piloted_observer.h"
 #include "src/planck_texture.h"
+#include "src/radial_fall_path.h"
 #include "src/sky_observer.h"
 #include "src/star_catalogue.h"
 
@@ -16,10 +21,15 @@ void initialize_blackhole_sky(godot::ModuleInitializationLevel level) {
 	if (level != godot::MODULE_INITIALIZATION_LEVEL_SCENE) {
 		return;
 	}
+	GDREGISTER_CLASS(BlackBody);
 	GDREGISTER_CLASS(StarCatalogue);
 	GDREGISTER_CLASS(LensingTable);
+	GDREGISTER_CLASS(FigureField);
 	GDREGISTER_CLASS(SkyObserver);
 	GDREGISTER_CLASS(BlackHoleSky);
+	GDREGISTER_CLASS(RadialFallPath);
+	GDREGISTER_CLASS(CircularOrbitPath);
+	GDREGISTER_CLASS(PilotedObserver);
 }
 
 void uninitialize_blackhole_sky(godot::ModuleInitializationLevel level) {

@@ -15,6 +15,7 @@ void set_sky_uniforms(const RID &material, const SkySettings &settings) {
 	server->material_set_param(material, "_observer_motion", motion.code);
 	server->material_set_param(material, "_observer_parameters", Vector4(given.x, given.y, given.z, given.w));
 	server->material_set_param(material, "_effects", settings.effects);
+	server->material_set_param(material, "_projection", settings.projection);
 	server->material_set_param(material, "_sky_to_world", settings.sky_to_world);
 	server->material_set_param(material, "_saturation", settings.saturation);
 }

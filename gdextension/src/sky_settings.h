@@ -14,6 +14,7 @@ enum class SkyShaders {
 	kFlat,    ///< as without hole and motion
 	kRadial,  ///< static, rain and infall with every effect
 	kGeneral, ///< any motion, any effects
+	kMap,     ///< the same on a map of the whole sky
 };
 
 /// What the layers of a sky share: where the hole is, how observers move, how bright the picture is.
@@ -25,6 +26,9 @@ struct SkySettings {
 	SkyShaders shaders = SkyShaders::kRadial;
 	blackhole::ObserverField observer;
 	int effects = lensing_shader::kAllEffects; ///< bits of effects.gdshaderinc
+	int projection = 0;                        ///< BlackHoleSky::Projection
+	int overlays = 0;                          ///< bits of BlackHoleSky::Overlay
+	double overlay_width = 1.5;                ///< pixels of a picture of 720 rows
 	double exposure = 1.0;                     ///< linear factor, 2^EV
 	double saturation = 1.0;                   ///< 0: grey, 1: as it is, above: exaggerated
 	blackhole::PointSpread psf_model = blackhole::PointSpread::kGaussian;

@@ -70,8 +70,9 @@ void choose_stars(StarLayer &layer, const SkySettings &settings, const std::vect
 			views.push_back(view_of(eye, order, settings, tables));
 		}
 		// Most direct images can be seen as a rule: then the groups need not be asked one by one.
-		const bool partly = settings.effects != lensing_shader::kAllEffects; // then the bounds do not hold
-		const bool all = partly || std::any_of(views.begin(), views.end(), [&layer](const View &view) {
+		// The bounds are for perspective pictures with every effect.
+		const bool unbounded = settings.projection != 0 || settings.effects != lensing_shader::kAllEffects;
+		const bool all = unbounded || std::any_of(views.begin(), views.end(), [&layer](const View &view) {
 			return view.limit + view.bound.least_brightening() >= layer.faintest();
 		});
 		for (std::size_t g = 0; g < groups.size(); ++g) {

@@ -12,6 +12,8 @@
 #include <godot_cpp/variant/packed_float32_array.hpp>
 #include <godot_cpp/variant/packed_vector3_array.hpp>
 
+#include "core/culling/star_rows.h"
+#include "core/parallel.h"
 #include "core/photometry/planck_table.h"
 #include "core/photometry/radiometry.h"
 #include "src/glm_adapter.h"
@@ -21,26 +23,37 @@ using namespace godot;
 
 namespace {
 
-constexpr int kFloatsPerStar = 12;
+constexpr int kMapCopies = 3;         // the sprite, across a seam, across a pole
 constexpr int kRenderPriority = -100; // behind everything else that is transparent, before the background
 constexpr float kEverywhere = 1e6F;
 constexpr float kEveryRank = std::numeric_limits<float>::infinity();
 constexpr double kHigherOrderFaintness = 6.0; // 6 x 5e-5: one step of an 8-bit sRGB picture
+constexpr std::size_t kHigherOrders = StarLayer::kMaxOrders - 1;
+/// Rows that the second and further images should hold together, as a part of the stars: 14.4 bytes a star.
+constexpr double kHigherShare = 0.3;
+/// From this part of a group on, higher images draw all of it; and below the second one no longer.
+constexpr double kBorrowFrom = 0.6;
+constexpr double kBorrowDownTo = 0.5;
 
-constexpr std::array<const char *, 6> kShaderNames = {"stars_flat", "stars_lensed", "stars_general",
-		"stars_flat_profile", "stars_lensed_profile", "stars_general_profile"};
+constexpr std::array<const char *, 8> kShaderNames = {"stars_flat", "stars_lensed", "stars_general",
+		"stars_map", "stars_flat_profile", "stars_lensed_profile", "stars_general_profile",
+		"stars_map_profile"};
 
 Ref<Shader> load_shader(std::size_t place) {
 	const String path = String("res://addons/blackhole_sky/shaders/") + kShaderNames.at(place) + ".gdshader";
 	return ResourceLoader::get_singleton()->load(path);
 }
 
-/// A triangle whose inscribed circle is the unit circle: three vertices a star rather than a quad's four.
-RID make_sprite_mesh(RenderingServer *server) {
+/// Triangles whose inscribed circle is the unit circle: three vertices a star rather than a quad's four.
+/// Their z is their number, from which the shader of maps knows which of a sprite's copies each is.
+RID make_sprite_mesh(RenderingServer *server, int copies) {
 	PackedVector3Array vertices;
-	vertices.push_back(Vector3(0, 2, 0));
-	vertices.push_back(Vector3(-1.7320508F, -1, 0));
-	vertices.push_back(Vector3(1.7320508F, -1, 0));
+	for (int copy = 0; copy < copies; ++copy) {
+		const auto z = static_cast<real_t>(copy);
+		vertices.push_back(Vector3(0, 2, z));
+		vertices.push_back(Vector3(-1.7320508F, -1, z));
+		vertices.push_back(Vector3(1.7320508F, -1, z));
+	}
 	Array arrays;
 	arrays.resize(RenderingServer::ARRAY_MAX);
 	arrays[RenderingServer::ARRAY_VERTEX] = vertices;
@@ -53,16 +66,20 @@ AABB everywhere() {
 	return {Vector3(-kEverywhere, -kEverywhere, -kEverywhere), Vector3(2, 2, 2) * kEverywhere};
 }
 
-/// The instance transform that the shader reads (see star_layer.gdshaderinc): three rows of basis and origin.
-void pack_star(const blackhole::Star &star, const glm::dvec3 &direction, const blackhole::PlanckTable &planck,
-		float *row) {
-	const double log_luminance = planck.log2_luminance(star.temperature_k);
-	const double radius = blackhole::star_angular_radius(star.v_magnitude, star.temperature_k, planck);
-	const float values[kFloatsPerStar] = {std::pow(10.0F, -0.4F * star.v_magnitude),
-			static_cast<float>(radius), 0.0F, static_cast<float>(direction.x), star.temperature_k,
-			star.v_magnitude, 0.0F, static_cast<float>(direction.y), static_cast<float>(log_luminance), 0.0F,
-			0.0F, static_cast<float>(direction.z)};
-	std::copy(std::begin(values), std::end(values), row);
+std::size_t plan_place(std::size_t group, int order) {
+	return group * kHigherOrders + static_cast<std::size_t>(order) - 1;
+}
+
+/// The first stars of a cell.
+PackedFloat32Array first_rows(const PackedFloat32Array &rows, std::size_t stars) {
+	const auto size = static_cast<int64_t>(stars * blackhole::kFloatsPerStar);
+	if (size == rows.size()) {
+		return rows; // shared, not copied
+	}
+	PackedFloat32Array part;
+	part.resize(size);
+	std::copy(rows.ptr(), rows.ptr() + size, part.ptrw());
+	return part;
 }
 
 } // namespace
@@ -75,7 +92,8 @@ void StarLayer::ensure_materials() {
 	for (std::size_t i = 0; i < kShaderNames.size() / 2; ++i) {
 		shaders[i] = load_shader(i);
 	}
-	sprite = make_sprite_mesh(server);
+	sprite = make_sprite_mesh(server, 1);
+	map_sprite = make_sprite_mesh(server, kMapCopies);
 	for (int order = 0; order < kMaxOrders; ++order) {
 		const RID material = server->material_create();
 		server->material_set_render_priority(material, kRenderPriority + order);
@@ -88,45 +106,45 @@ void StarLayer::build(const blackhole::StarTable &table) {
 	clear();
 	ensure_materials();
 	const blackhole::PlanckTable planck;
-	std::vector<glm::dvec3> directions;
-	directions.reserve(table.stars.size());
-	for (const blackhole::Star &star : table.stars) {
-		directions.push_back(blackhole::world_direction(star));
-	}
+	const std::vector<glm::dvec3> directions = blackhole::star_directions(table);
 	groups = blackhole::group_stars(table, directions, planck);
 	faintest_magnitude = table.stars.empty() ? 0.0 : table.stars.back().v_magnitude;
 	cells.resize(groups.size());
+	std::vector<float *> rows;
+	std::vector<std::size_t> lengths;
 	for (std::size_t g = 0; g < groups.size(); ++g) {
-		Cell &cell = cells[g];
-		const std::vector<uint32_t> &members = groups[g].stars;
-		cell.rows.resize(static_cast<int64_t>(members.size()) * kFloatsPerStar);
-		float *row = cell.rows.ptrw();
-		for (const uint32_t member : members) {
-			pack_star(table.stars[member], directions[member], planck, row);
-			row += kFloatsPerStar;
-		}
+		const std::size_t stars = groups[g].stars.size();
+		cells[g].rows.resize(static_cast<int64_t>(stars * blackhole::kFloatsPerStar));
+		rows.push_back(cells[g].rows.ptrw());
+		lengths.insert(lengths.end(), kHigherOrders, stars);
 	}
+	blackhole::parallel_for(groups.size(), 8, [&](std::size_t first, std::size_t end) {
+		for (std::size_t g = first; g < end; ++g) {
+			blackhole::pack_rows(table, directions, groups[g], planck, rows[g]);
+		}
+	});
+	plan = blackhole::BufferPlan(
+			lengths, static_cast<std::size_t>(kHigherShare * static_cast<double>(table.stars.size())));
 	apply(current);
 }
 
 void StarLayer::make_images(std::size_t group, int order) {
-	Cell &cell = cells[group];
-	Images &images = cell.images[static_cast<std::size_t>(order)];
+	Images &images = cells[group].images[static_cast<std::size_t>(order)];
 	if (images.multimesh.is_valid()) {
 		return;
 	}
 	RenderingServer *server = RenderingServer::get_singleton();
 	images.multimesh = server->multimesh_create();
-	server->multimesh_allocate_data(images.multimesh, static_cast<int32_t>(groups[group].stars.size()),
-			RenderingServer::MULTIMESH_TRANSFORM_3D);
-	server->multimesh_set_mesh(images.multimesh, sprite);
+	server->multimesh_set_mesh(images.multimesh, sprite_in_use());
 	server->multimesh_set_custom_aabb(images.multimesh, everywhere());
-	server->multimesh_set_buffer(images.multimesh, cell.rows);
-	server->multimesh_set_visible_instances(images.multimesh, 0);
+	if (order == 0) {
+		fill(group, order, groups[group].stars.size());
+	}
 	images.instance = server->instance_create();
 	server->instance_set_base(images.instance, images.multimesh);
 	server->instance_set_custom_aabb(images.instance, everywhere());
 	server->instance_set_visible(images.instance, false);
+	server->instance_set_layer_mask(images.instance, current.render_layers);
 	server->instance_geometry_set_material_override(
 			images.instance, materials[static_cast<std::size_t>(order)]);
 	server->instance_geometry_set_cast_shadows_setting(
@@ -134,6 +152,65 @@ void StarLayer::make_images(std::size_t group, int order) {
 	if (scenario.is_valid()) {
 		server->instance_set_scenario(images.instance, scenario);
 	}
+}
+
+/// Makes a buffer of a group's first stars.
+void StarLayer::fill(std::size_t group, int order, std::size_t stars) {
+	Cell &cell = cells[group];
+	Images &images = cell.images[static_cast<std::size_t>(order)];
+	RenderingServer *server = RenderingServer::get_singleton();
+	server->multimesh_allocate_data(
+			images.multimesh, static_cast<int32_t>(stars), RenderingServer::MULTIMESH_TRANSFORM_3D);
+	server->multimesh_set_buffer(images.multimesh, first_rows(cell.rows, stars));
+	// The engine takes a number beyond the stars down to theirs when it makes a buffer.
+	images.drawn = std::min(images.drawn, static_cast<int>(stars));
+	server->multimesh_set_visible_instances(images.multimesh, images.drawn);
+}
+
+void StarLayer::set_drawn(Images &images, int count) {
+	if (count != images.drawn) {
+		images.drawn = count;
+		RenderingServer::get_singleton()->multimesh_set_visible_instances(images.multimesh, count);
+	}
+}
+
+/// Gives the images of an order as many stars to draw as are reserved.
+void StarLayer::hold(std::size_t group, int order) {
+	Cell &cell = cells[group];
+	Images &first = cell.images.front();
+	Images &images = cell.images[static_cast<std::size_t>(order)];
+	const int all = count_to(group, kEveryRank);
+	if (images.reserved > 0) {
+		make_images(group, order);
+	}
+	if (order > 0) {
+		const bool borrows = all > 0 && images.reserved == all;
+		if (borrows != images.borrows) {
+			images.borrows = borrows;
+			RenderingServer::get_singleton()->instance_set_base(
+					images.instance, borrows ? first.multimesh : images.multimesh);
+		}
+		const auto needed = static_cast<std::size_t>(borrows ? 0 : images.reserved);
+		for (const std::size_t place : plan.need(plan_place(group, order), needed)) {
+			fill(place / kHigherOrders, static_cast<int>(place % kHigherOrders) + 1, plan.holds(place));
+		}
+		if (!borrows && images.multimesh.is_valid()) {
+			set_drawn(images, images.reserved);
+		}
+	}
+	const bool lends = std::any_of(
+			cell.images.begin(), cell.images.end(), [](const Images &other) { return other.borrows; });
+	if (first.multimesh.is_valid()) {
+		set_drawn(first, lends ? all : first.reserved);
+	}
+}
+
+int64_t StarLayer::buffer_bytes() const {
+	std::size_t stars = plan.total();
+	for (std::size_t g = 0; g < cells.size(); ++g) {
+		stars += cells[g].images.front().multimesh.is_valid() ? groups[g].stars.size() : 0;
+	}
+	return static_cast<int64_t>(stars * blackhole::kFloatsPerStar * sizeof(float));
 }
 
 void StarLayer::clear() {
@@ -151,9 +228,11 @@ void StarLayer::clear() {
 	}
 	cells.clear();
 	groups.clear();
+	plan = blackhole::BufferPlan();
 	if (sprite.is_valid()) {
 		server->free_rid(sprite);
-		sprite = RID();
+		server->free_rid(map_sprite);
+		sprite = map_sprite = RID();
 		for (RID &material : materials) {
 			server->free_rid(material);
 			material = RID();
@@ -199,19 +278,27 @@ void StarLayer::draw(std::size_t group, int order, double rank) {
 	const int all = count_to(group, kEveryRank);
 	// Some to spare, so that a moving eye seldom changes the number.
 	const int spare = 2 + count / 32;
-	const int reserved = count == 0 ? 0 : std::min(count + spare, all);
+	int reserved = count == 0 ? 0 : std::min(count + spare, all);
+	int enough = reserved - 4 * spare;
+	if (order > 0 && count > 0 && reserved >= (images.borrows ? kBorrowDownTo : kBorrowFrom) * all) {
+		reserved = all;
+		enough = static_cast<int>(kBorrowDownTo * all) - spare;
+	}
 	if (reserved != images.reserved) {
 		images.reserved = reserved;
-		RenderingServer::get_singleton()->multimesh_set_visible_instances(images.multimesh, reserved);
+		hold(group, order);
 	}
 	const auto rank_of = [&ranks = groups[group].ranks](
 								 int at) { return ranks[static_cast<std::size_t>(at)]; };
 	images.enough_to = reserved < all ? rank_of(reserved) : kEveryRank;
-	images.enough_from = reserved == 0 ? -kEveryRank : rank_of(std::max(reserved - 4 * spare, 0));
+	images.enough_from = reserved == 0 ? -kEveryRank : rank_of(std::max(enough, 0));
 	show(images, order);
 }
 
 void StarLayer::show(Images &images, int order) {
+	if (!images.instance.is_valid()) {
+		return;
+	}
 	const bool visible = layer_shown && images.reserved > 0 && order < orders_drawn();
 	if (visible != images.visible) {
 		images.visible = visible;
@@ -271,6 +358,7 @@ void StarLayer::set_point_spread(const RID &material) {
 }
 
 void StarLayer::apply(const SkySettings &settings) {
+	const bool other_sprite = (settings.shaders == SkyShaders::kMap) != (current.shaders == SkyShaders::kMap);
 	current = settings;
 	ensure_materials();
 	RenderingServer *server = RenderingServer::get_singleton();
@@ -287,14 +375,20 @@ void StarLayer::apply(const SkySettings &settings) {
 	for (std::size_t group = 0; group < cells.size(); ++group) {
 		for (int order = 0; order < kMaxOrders; ++order) {
 			Images &images = cells[group].images[static_cast<std::size_t>(order)];
-			if (order < orders_drawn()) {
+			if (order == 0) {
 				make_images(group, order);
+			} else if (order >= orders_drawn() && images.reserved > 0) {
+				images.reserved = 0;
+				hold(group, order);
 			}
 			images.enough_from = kEveryRank; // ask anew: the magnitude limit may be another
 			if (!settings.lensing && order == 0) {
 				draw(group, order, kEveryRank);
 			}
 			if (images.instance.is_valid()) {
+				if (other_sprite) {
+					server->multimesh_set_mesh(images.multimesh, sprite_in_use());
+				}
 				server->instance_set_layer_mask(images.instance, settings.render_layers);
 				show(images, order);
 			}

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include <godot_cpp/classes/image_texture.hpp>
@@ -12,11 +14,13 @@
 #include <godot_cpp/variant/rid.hpp>
 
 #include "core/catalogue/star.h"
+#include "core/culling/buffer_plan.h"
 #include "core/culling/star_groups.h"
 #include "src/sky_settings.h"
 
 /// Draws a catalogue: per order of images and group of stars one MultiMesh, of which the brightest stars are
-/// drawn, as many as can be seen. Owns what it makes on the RenderingServer.
+/// drawn, as many as can be seen. Those of the second and further images hold hardly more than that; where
+/// most of a group is seen, they are the one of the first images. Owns what it makes on the RenderingServer.
 class StarLayer {
 public:
 	static constexpr int kMaxOrders = 4;
@@ -26,7 +30,7 @@ public:
 	StarLayer &operator=(const StarLayer &) = delete;
 	~StarLayer() { clear(); }
 
-	/// Groups the stars and packs them, 48 bytes each; they are uploaded once per order that is drawn.
+	/// Groups the stars, packs them and uploads them, 48 bytes each.
 	void build(const blackhole::StarTable &table);
 	void clear();
 
@@ -42,6 +46,9 @@ public:
 	/// V magnitude of the faintest star that may be drawn.
 	double faintest() const { return std::min(faintest_magnitude, current.magnitude_limit); }
 
+	/// Bytes of graphics memory that the stars of all orders take.
+	int64_t buffer_bytes() const;
+
 	/// Peak luminance below which images of this order are not drawn. The many higher images that alone would
 	/// not change an 8-bit picture are not worth their cost: there the limit is one step of such a
 	/// picture.
@@ -52,14 +59,16 @@ private:
 	struct Images {
 		godot::RID multimesh;
 		godot::RID instance;
-		int reserved = 0; ///< stars that the MultiMesh is set to draw
+		int reserved = 0;     ///< stars that are to be drawn
+		int drawn = 0;        ///< stars that the MultiMesh is set to draw
+		bool borrows = false; ///< draws the MultiMesh of the first images instead, with all stars
 		/// That number does, and is not much too large, for faintest ranks from here to below there.
 		float enough_from = 0.0F;
 		float enough_to = 0.0F;
 		bool visible = false;
 	};
 	struct Cell {
-		godot::PackedFloat32Array rows; ///< the instance buffer
+		godot::PackedFloat32Array rows; ///< the stars, as buffers hold them
 		std::array<Images, kMaxOrders> images;
 	};
 
@@ -67,21 +76,27 @@ private:
 	void make_images(std::size_t group, int order);
 	int count_to(std::size_t group, double rank) const;
 	void draw(std::size_t group, int order, double rank);
+	void hold(std::size_t group, int order);
+	void fill(std::size_t group, int order, std::size_t stars);
+	static void set_drawn(Images &images, int count);
 	void show(Images &images, int order);
 	int orders_drawn() const { return current.lensing ? current.image_orders : 1; }
 	godot::RID shader();
+	godot::RID sprite_in_use() const { return current.shaders == SkyShaders::kMap ? map_sprite : sprite; }
 	void set_point_spread(const godot::RID &material);
 
-	/// By SkyShaders; the second three for stars with a profile, loaded when they are needed.
-	std::array<godot::Ref<godot::Shader>, 6> shaders;
+	/// By SkyShaders; the second four for stars with a profile, loaded when they are needed.
+	std::array<godot::Ref<godot::Shader>, 8> shaders;
 	godot::Ref<godot::ImageTexture> profile; ///< of the model and glare below; null for a Gaussian
 	blackhole::PointSpread profile_model = blackhole::PointSpread::kGaussian;
 	double profile_glare = 0.0;
 	std::array<godot::RID, kMaxOrders> materials;
 	godot::RID sprite;
+	godot::RID map_sprite;
 	godot::RID scenario;
 	std::vector<Cell> cells;
 	std::vector<blackhole::StarGroup> groups;
+	blackhole::BufferPlan plan; ///< of the second and further images, group after group
 	double faintest_magnitude = 0.0;
 	SkySettings current;
 	bool layer_shown = true;

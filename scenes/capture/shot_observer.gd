@@ -4,15 +4,14 @@ extends RefCounted
 ## How the eye of a shot moves, read from the shot's "observer" and checked against its place: no
 ## motion that general relativity does not allow there.
 
-enum Motion { STATIC, RAIN, INFALL, ORBIT, VELOCITY }
-
+## In the order of LensingTable.Motion.
 const MOTIONS: PackedStringArray = ["static", "rain", "infall", "orbit", "velocity"]
 ## Circular geodesics of a particle with mass end at the photon sphere.
 const PHOTON_SPHERE: float = 1.5
 ## Slack for what one asks at the very turning point, of the size of its rounding.
 const ROUNDING: float = 1e-12
 
-var motion: Motion = Motion.STATIC
+var motion: LensingTable.Motion = LensingTable.MOTION_STATIC
 ## Of an infall: energy at infinity per rest energy, above 0; from rest at R it is sqrt(1 - 1/R).
 var energy: float = 1.0
 ## Of an infall: the radius of rest in Schwarzschild radii, above 1; 0 when the energy was given.
@@ -23,8 +22,8 @@ var outgoing: bool = false
 var axis: PackedFloat64Array = [0.0, 1.0, 0.0]
 ## Of a given velocity: beta times the Lorentz factor, along world axes.
 var celerity: PackedFloat64Array = [0.0, 0.0, 0.0]
-## Of a given velocity: who measures it, STATIC or RAIN.
-var relative_to: Motion = Motion.RAIN
+## Of a given velocity: whether the static observer measures it, rather than rain.
+var relative_to_static: bool = false
 ## Why the motion was refused; empty when it is fine.
 var error: String = ""
 
@@ -36,24 +35,42 @@ static func from_data(data: Variant, position: PackedFloat64Array) -> ShotObserv
 	return observer
 
 
-## The motion's name in a shot.
-func motion_name() -> String:
-	return MOTIONS[motion]
+## Is it at rest or on the way to or from the hole?
+func is_radial() -> bool:
+	return motion != LensingTable.MOTION_ORBIT and motion != LensingTable.MOTION_VELOCITY
+
+
+## The same for the sky.
+func to_sky_observer() -> SkyObserver:
+	var observer := SkyObserver.new()
+	observer.motion = motion
+	observer.energy = energy
+	observer.outgoing = outgoing
+	observer.axis = Vec3D.to_vector3(axis)
+	observer.celerity = Vec3D.to_vector3(celerity)
+	observer.relative_to_static = relative_to_static
+	return observer
+
+
+## Direction towards the middle of the shadow, as the eye sees it.
+func apparent_hole(position: PackedFloat64Array) -> PackedFloat64Array:
+	var direction: Vector3 = to_sky_observer().shadow(Vec3D.to_vector3(position))["direction"]
+	return [direction.x, direction.y, direction.z]
 
 
 func _read(data: Dictionary, position: PackedFloat64Array) -> void:
-	motion = MOTIONS.find(data["motion"]) as Motion
+	motion = MOTIONS.find(data["motion"]) as LensingTable.Motion
 	var radius := Vec3D.length(position)
 	match motion:
-		Motion.STATIC:
+		LensingTable.MOTION_STATIC:
 			if radius <= 1.0:
 				var text := 'no observer can be static at %s, at or inside the horizon; choose "rain"'
 				_refuse(text % _at(radius))
-		Motion.INFALL:
+		LensingTable.MOTION_INFALL:
 			_read_infall(data, radius)
-		Motion.ORBIT:
+		LensingTable.MOTION_ORBIT:
 			_read_orbit(data, position)
-		Motion.VELOCITY:
+		LensingTable.MOTION_VELOCITY:
 			_read_velocity(data, radius)
 
 
@@ -84,8 +101,8 @@ func _read_orbit(data: Dictionary, position: PackedFloat64Array) -> void:
 
 
 func _read_velocity(data: Dictionary, radius: float) -> void:
-	relative_to = MOTIONS.find(data.get("relative_to", "rain")) as Motion
-	if relative_to == Motion.STATIC and radius <= 1.0:
+	relative_to_static = data.get("relative_to", "rain") == "static"
+	if relative_to_static and radius <= 1.0:
 		var text := 'no static observer is at %s to measure a velocity; let it be relative_to "rain"'
 		_refuse(text % _at(radius))
 		return

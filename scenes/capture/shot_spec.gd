@@ -11,29 +11,44 @@ enum Background { NONE, GRID, MILKY_WAY, FILE }
 
 const SCHEMA_FILE: String = "res://scenes/capture/shot.schema.json"
 const BACKGROUNDS: PackedStringArray = ["none", "grid", "milky_way"]
-## What the schema lets in and nobody draws yet: keys, and motions of the observer.
+## In the order of the bits of BlackHoleSky.Overlay.
+const OVERLAYS: PackedStringArray = [
+	"constellations",
+	"equatorial_grid",
+	"galactic_grid",
+	"shadow_edge",
+	"einstein_rings",
+	"motion",
+	"shadow_diameter",
+	"straight_light",
+]
+## In the order of BlackHoleSky.Projection.
+const PROJECTIONS: PackedStringArray = [
+	"perspective",
+	"equirectangular",
+	"mercator",
+	"mollweide",
+	"fisheye_180",
+	"fisheye_220",
+	"fisheye_360",
+]
+## What the schema lets in and nobody draws yet.
 const NOT_YET: PackedStringArray = [
-	"projection",
-	"observer.infall",
-	"observer.orbit",
-	"observer.velocity",
-	"effects",
-	"exposure",
+	"exposure.auto",
 	"psf",
-	"overlays",
 	"path",
 ]
 
 var resolution := Vector2i(1280, 720)
 var vertical_fov_deg: float = 60.0
+var projection: BlackHoleSky.Projection = BlackHoleSky.PROJECTION_PERSPECTIVE
 ## Where the eye is, in double precision.
 var position: PackedFloat64Array = [0.0, 0.0, 10.0]
 ## Viewing direction and the picture's upward direction, unit vectors, in double precision.
 var forward: PackedFloat64Array = [0.0, 0.0, -1.0]
 var up: PackedFloat64Array = [0.0, 1.0, 0.0]
-## How the eye moves: static or rain, and in full.
-var observer: LensingTable.Motion = LensingTable.MOTION_STATIC
-var motion := ShotObserver.new()
+## How the eye moves.
+var observer := ShotObserver.new()
 var renderer: String = "mobile"
 ## Whether the shot names its renderer; if not, the one that runs will do.
 var renderer_named: bool = false
@@ -45,6 +60,10 @@ var orders: int = 2
 var lensing: bool = true
 var psf_sigma_px: float = 1.0
 var exposure_ev: float = 0.0
+var effects := ShotEffects.new()
+## Bits of BlackHoleSky.Overlay.
+var overlays: int = 0
+var star_names: bool = false
 var background: Background = Background.NONE
 var background_file: String = ""
 ## Why the shot was refused; empty when it is fine.
@@ -86,6 +105,7 @@ func _read(data: Dictionary) -> void:
 	resolution = Vector2i(size[0], size[1])
 	vertical_fov_deg = data.get("vertical_fov_deg", vertical_fov_deg)
 	position = data.get("position_rs", position)
+	projection = PROJECTIONS.find(data.get("projection", PROJECTIONS[0])) as BlackHoleSky.Projection
 	renderer = data.get("renderer", renderer)
 	renderer_named = data.has("renderer")
 	_check_place()
@@ -98,6 +118,13 @@ func _read(data: Dictionary) -> void:
 	if error.is_empty():
 		_read_background(data)
 	if error.is_empty():
+		effects = ShotEffects.from_data(data.get("effects", {}))
+		_read_exposure(data)
+		for name: String in data.get("overlays", []):
+			if name == "star_names":
+				star_names = true
+			else:
+				overlays |= 1 << OVERLAYS.find(name)
 		_refuse_unbuilt(data)
 
 
@@ -110,17 +137,17 @@ func _check_place() -> void:
 
 
 func _read_observer(data: Dictionary) -> void:
-	motion = ShotObserver.from_data(data.get("observer", "static"), position)
-	error = motion.error
-	var falling := motion.motion == ShotObserver.Motion.RAIN
-	observer = LensingTable.MOTION_RAIN if falling else LensingTable.MOTION_STATIC
+	observer = ShotObserver.from_data(data.get("observer", "static"), position)
+	error = observer.error
 
 
 func _read_aim(data: Dictionary) -> void:
-	# With aim "apparent" as well: radial motions leave the hole where it is.
 	var target: PackedFloat64Array = data.get("look_at_rs", [0.0, 0.0, 0.0])
 	var upward: PackedFloat64Array = data.get("up", up)
 	forward = Vec3D.subtract(target, position)
+	# Radial motions leave the hole where it is, in double precision.
+	if data.get("aim", "axes") == "apparent" and not observer.is_radial():
+		forward = observer.apparent_hole(position)
 	if Vec3D.length(forward) <= 1e-12 * Vec3D.length(position):
 		error = "look_at_rs is the eye's own place; look somewhere else."
 		return
@@ -156,6 +183,12 @@ func _read_background(data: Dictionary) -> void:
 		background_file = _find_file(source, "background")
 
 
+func _read_exposure(data: Dictionary) -> void:
+	var exposure: Variant = data.get("exposure", exposure_ev)
+	if exposure is not String:
+		exposure_ev = exposure
+
+
 func _find_file(path: String, key: String) -> String:
 	var found := _files.find(path)
 	if found.is_empty():
@@ -165,6 +198,7 @@ func _find_file(path: String, key: String) -> String:
 
 func _refuse_unbuilt(data: Dictionary) -> void:
 	for name in NOT_YET:
-		if data.has(name) or name == "observer." + motion.motion_name():
+		var part := name.get_slice(".", 1)
+		if data.has(name) or str(data.get(name.get_slice(".", 0))) == part:
 			error = "%s is not built yet." % name
 			return

@@ -16,6 +16,7 @@ const WARM_UP_FRAMES: int = 3
 var _viewport := SubViewport.new()
 var _camera := Camera3D.new()
 var _sky := BlackHoleSky.new()
+var _labels := SkyLabels.new()
 var _catalogues: Dictionary[String, StarCatalogue] = {}
 
 
@@ -32,7 +33,10 @@ func _init() -> void:
 	world.environment.background_mode = Environment.BG_COLOR
 	world.environment.background_color = Color.BLACK
 	world.environment.tonemap_mode = Environment.TONE_MAPPER_LINEAR
-	for node: Node in [world, _camera, _sky]:
+	_labels.sky = _sky
+	_labels.camera = _camera
+	_labels.visible = false
+	for node: Node in [world, _camera, _sky, _labels]:
 		_viewport.add_child(node)
 	add_child(_viewport)
 
@@ -73,7 +77,23 @@ func _dress(spec: ShotSpec, refusal: PackedStringArray) -> bool:
 	_sky.lensing = 1.0 if spec.lensing else 0.0
 	_sky.psf_sigma = spec.psf_sigma_px
 	_sky.exposure = spec.exposure_ev
-	_sky.observer_motion = spec.observer
+	# Without the hole the eye is at rest.
+	_sky.observer = spec.observer.to_sky_observer() if spec.lensing else null
+	spec.effects.apply_to(_sky)
+	_sky.projection = spec.projection
+	_sky.overlays = spec.overlays
+	_labels.visible = spec.star_names
+	if spec.star_names and _labels.stars.names.is_empty():
+		_labels.stars = StarNames.load_file()
+		if not _labels.stars.error.is_empty():
+			refusal.append(_labels.stars.error)
+			return false
+	if spec.overlays & BlackHoleSky.OVERLAY_CONSTELLATIONS and _sky.figure_field == null:
+		var figures := ConstellationFigures.load_file()
+		if not figures.error.is_empty():
+			refusal.append(figures.error)
+			return false
+		_sky.figure_field = ConstellationOverlay.bake(figures)
 	return _set_background(spec, refusal)
 
 

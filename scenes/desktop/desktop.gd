@@ -17,6 +17,9 @@ extends Node3D
 
 
 func _ready() -> void:
+	if SelfTestScene.is_asked_for(OS.get_cmdline_user_args()):
+		get_tree().change_scene_to_file.call_deferred(SelfTestScene.FILE)
+		return
 	_data.warned.connect(_on_data_warned)
 	_data.settled.connect(_notices.take_down)
 	_switches.warned.connect(_on_advised)

@@ -36,7 +36,19 @@ func test_properties_keep_what_they_are_given_within_limits(
 		[
 			["schwarzschild_radius", 2.5, 2.5],
 			["schwarzschild_radius", -1.0, 1e-6],
+			["mass_solar", 4.3e6, 4.3e6],
+			["mass_solar", -1.0, 1e-12],
 			["lensing", 0.25, 0.25],
+			["effect_deflection", false, false],
+			["effect_aberration", false, false],
+			["effect_gravitational_shift", false, false],
+			["effect_doppler", false, false],
+			["effect_magnification", false, false],
+			["effect_higher_orders", false, false],
+			["saturation", 2.0, 2.0],
+			["saturation", 9.0, 4.0],
+			["redshift_map", true, true],
+			["panorama_is_light", false, false],
 			["lensing", 7.0, 1.0],
 			["lensing", -1.0, 0.0],
 			["observer_motion", 1, 1],
@@ -280,3 +292,34 @@ func _expect_warning(problem: String, remedy: String) -> void:
 			assert_string_contains(warning, remedy)
 			return
 	fail_test("no warning says '%s': %s" % [problem, _sky.get_warnings()])
+
+
+## One solar mass: 2.953 km, 9.85 microseconds; the unit of acceleration is c^2 over that.
+func test_units_of_a_mass() -> void:
+	_sky.mass_solar = 1.0
+	assert_almost_eq(_sky.get_length_unit_km(), 2.95325008, 1e-7)
+	assert_almost_eq(_sky.get_time_unit_seconds(), 2953.25008 / 299792458.0, 1e-13)
+	assert_almost_eq(_sky.get_acceleration_unit_g() / 1e12, 3.10333, 1e-4)
+	_sky.mass_solar = 4.3e6
+	assert_almost_eq(_sky.get_length_unit_km() / 4.3e6, 2.95325008, 1e-7)
+
+
+func test_observer_is_made_when_its_motion_is_set() -> void:
+	assert_null(_sky.observer)
+	_sky.observer_motion = LensingTable.MOTION_ORBIT
+	assert_eq(_sky.observer.motion, LensingTable.MOTION_ORBIT)
+	_sky.observer = null
+	assert_eq(_sky.observer_motion, LensingTable.MOTION_STATIC)
+
+
+func test_says_where_there_is_no_such_observer() -> void:
+	var sky: BlackHoleSky = add_child_autofree(BlackHoleSky.new())
+	assert_eq(
+		sky.get_observer_refusal_at(Vector3(0.1, 0, 0)), "", "without a hole nothing is refused"
+	)
+	sky.table = LensingTable.new()
+	sky.table.load_file(TABLE)
+	assert_string_contains(sky.get_observer_refusal_at(Vector3(0.5, 0, 0)), "horizon")
+	assert_eq(sky.get_observer_refusal_at(Vector3(2.0, 0, 0)), "")
+	sky.schwarzschild_radius = 4.0
+	assert_string_contains(sky.get_observer_refusal_at(Vector3(2.0, 0, 0)), "horizon")

@@ -21,6 +21,10 @@ func test_the_committed_table() -> void:
 	assert_true(_table.is_ready())
 	assert_eq(_table.get_error_message(), "")
 	assert_signal_emit_count(_table, "changed", 1)
+	var values := FileAccess.get_file_as_bytes(COMMITTED).slice(HEADER_BYTES)
+	var texels := _table.get_inverse_texels() + _table.get_forward_texels()
+	assert_eq(texels.size(), 2 * 4 * 128 * 96)
+	assert_true(texels.to_byte_array() == values, "the numbers of the file")
 	for texture: ImageTexture in [_table.get_inverse_texture(), _table.get_forward_texture()]:
 		assert_eq(Vector2i(texture.get_size()), Vector2i(128, 96))
 
@@ -39,6 +43,8 @@ func test_an_empty_table_has_nothing() -> void:
 	assert_false(_table.is_baking())
 	assert_null(_table.get_inverse_texture())
 	assert_null(_table.get_forward_texture())
+	assert_eq(_table.get_inverse_texels().size(), 0)
+	assert_eq(_table.get_forward_texels().size(), 0)
 	assert_ne(_table.save_file(_folder.file("nothing.lut")), OK)
 	assert_push_error("no table yet")
 	assert_file_does_not_exist(_folder.file("nothing.lut"))

@@ -28,35 +28,38 @@ class Star:
     name: str = ""
 
 
-def _column(code: str, values: list) -> bytes:
-    packed = array.array(code, values)
-    if packed.itemsize != 4:
-        raise RuntimeError(f"array type {code} is not four bytes wide on this machine")
+def _bytes(column: array.array) -> bytes:
+    if column.itemsize != 4:
+        raise RuntimeError(f"array type {column.typecode} is not four bytes wide on this machine")
     if sys.byteorder == "big":
-        packed.byteswap()
-    return packed.tobytes()
+        column = column[:]
+        column.byteswap()
+    return column.tobytes()
 
 
-def _floats(values: list[float | None]) -> bytes:
-    return _column("f", [math.nan if value is None else value for value in values])
+def _floats(values: list[float | None]) -> array.array:
+    return array.array("f", [math.nan if value is None else value for value in values])
 
 
 def encode(stars: list[Star]) -> bytes:
     """The whole file. The stars must come brightest first."""
     named = [index for index, star in enumerate(stars) if star.name]
     text = b"".join(stars[index].name.encode("utf-8") + b"\0" for index in named)
-    payload = b"".join((
-        _column("I", [round(star.ra / math.tau * TURN) % 2**32 for star in stars]),
-        _column("i", [round(star.dec / math.tau * TURN) for star in stars]),
+    return encode_columns([
+        array.array("I", [round(star.ra / math.tau * TURN) % 2**32 for star in stars]),
+        array.array("i", [round(star.dec / math.tau * TURN) for star in stars]),
         _floats([star.v_magnitude for star in stars]),
         _floats([star.b_minus_v for star in stars]),
         _floats([star.temperature for star in stars]),
         _floats([star.parallax for star in stars]),
-        _column("I", [star.hip for star in stars]),
-        _column("I", named),
-        text,
-    ))
-    head = MAGIC + struct.pack("<IIIId", VERSION, len(stars), len(named), len(text), EPOCH)
+        array.array("I", [star.hip for star in stars]),
+    ], array.array("I", named), text)
+
+
+def encode_columns(columns: list[array.array], named: array.array | None = None, text: bytes = b"") -> bytes:
+    """The whole file from its columns in their order; `named` are the places of stars with a name, `text` these."""
+    payload = b"".join((*(_bytes(column) for column in columns), _bytes(named or array.array("I")), text))
+    head = MAGIC + struct.pack("<IIIId", VERSION, len(columns[0]), len(named or ()), len(text), EPOCH)
     return head + struct.pack("<I", zlib.crc32(payload, zlib.crc32(head))) + payload
 
 

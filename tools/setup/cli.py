@@ -10,7 +10,7 @@ import sys
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from setup import bench, capture, display, paths, prepare, session
+from setup import bench, capture, display, paths, prepare, self_test, session
 from setup.console import Failure, note, say
 
 FIRST_LOOK = paths.ROOT / "scenes" / "desktop" / "first_look.json"
@@ -46,7 +46,7 @@ def main(arguments: list[str]) -> int:
 
 def help_text() -> str:
     """The list of subcommands, one line each."""
-    lines = [f"  {word:<9}{subcommand.summary}" for word, subcommand in SUBCOMMANDS.items()]
+    lines = [f"  {word:<11}{subcommand.summary}" for word, subcommand in SUBCOMMANDS.items()]
     return "usage: ./run [SUBCOMMAND] [ARGUMENTS]\n\n" + "\n".join(lines)
 
 
@@ -117,6 +117,8 @@ SUBCOMMANDS = {
     "lut": Subcommand("the table tool: bake, inspect, verify, eval; see ./run lut --help", _lut),
     "bench": Subcommand("measure and print a table: [OUT.json] [--renderer mobile|forward_plus|gl_compatibility]",
                         bench.run),
+    "self-test": Subcommand("is this GPU right? draws, reads back, compares with the exact solution: [OUT.json] "
+                            "[--renderer ...]", self_test.run),
     "editor": Subcommand("open the project in the Godot editor", _editor),
     "clean": Subcommand("remove all that was built and drawn; --cache removes the downloads too", _clean),
     "help": Subcommand("show this list", _help),

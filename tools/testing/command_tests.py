@@ -13,7 +13,7 @@ import unittest
 from pathlib import Path
 
 _ROOT = Path(__file__).resolve().parent.parent.parent
-_SUBCOMMANDS = ("demo", "capture", "bake", "lut", "bench", "editor", "clean", "help")
+_SUBCOMMANDS = ("demo", "capture", "bake", "lut", "bench", "self-test", "editor", "clean", "help")
 
 
 def run(*arguments: str | Path, cwd: Path = _ROOT) -> subprocess.CompletedProcess[str]:
@@ -40,6 +40,7 @@ class CommandLine(unittest.TestCase):
     def test_wrong_arguments_are_2(self) -> None:
         for arguments in (
             ["capture"], ["bake", "--chek"], ["clean", "all"], ["bench", "a", "b"], ["bench", "--renderer", "vulcan"],
+            ["self-test", "a", "b"], ["self-test", "--renderer", "vulcan"],
             ["demo", "fast"], ["editor", "fast"],
         ):
             with self.subTest(arguments):
@@ -112,6 +113,21 @@ class Capture(unittest.TestCase):
                 self.assertIn(words, done.stderr)
                 self.assertEqual(done.stdout, "")
                 self.assertFalse((self.folder / "picture.png").exists())
+
+
+class SelfTest(unittest.TestCase):
+    def test_the_card_of_this_machine_is_right(self) -> None:
+        with tempfile.TemporaryDirectory() as folder:
+            out = Path(folder) / "found.json"
+            done = run("self-test", out, "--renderer", "gl_compatibility")
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+            found = json.loads(out.read_text(encoding="utf-8"))
+        self.assertTrue(found["passed"])
+        self.assertEqual(found["renderer"], "gl_compatibility")
+        self.assertIn(found["device"], done.stdout)
+        self.assertIn(found["verdict"], done.stdout)
+        for check in found["checks"]:
+            self.assertRegex(done.stdout, rf"(?m)^{check['check']} .* ok$")
 
 
 class Tables(unittest.TestCase):

@@ -9,18 +9,25 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/parallel.h"
+
 namespace blackhole {
 namespace {
 
-constexpr int kDivisions = 5; // cells along a cube face's edge
+constexpr std::size_t kPiece = 16384; // stars that make a thread worth while
 
-int division_of(double coordinate) {
-	// Equal angles rather than equal lengths, so that cells are of like size.
-	const double along = std::atan(coordinate) / std::atan(1.0);
-	return std::clamp(static_cast<int>((along + 1.0) * 0.5 * kDivisions), 0, kDivisions - 1);
+/// Cells along the edge of a cube's face.
+int divisions_for(std::size_t stars) {
+	return stars < kManyStars ? 5 : 10;
 }
 
-std::size_t cell_of(const glm::dvec3 &direction) {
+int division_of(double coordinate, int divisions) {
+	// Equal angles rather than equal lengths, so that cells are of like size.
+	const double along = std::atan(coordinate) / std::atan(1.0);
+	return std::clamp(static_cast<int>((along + 1.0) * 0.5 * divisions), 0, divisions - 1);
+}
+
+std::size_t cell_of(const glm::dvec3 &direction, int divisions) {
 	const glm::dvec3 size = glm::dvec3(std::abs(direction.x), std::abs(direction.y), std::abs(direction.z));
 	int axis = 0;
 	if (size.y >= size.x && size.y >= size.z) {
@@ -32,7 +39,7 @@ std::size_t cell_of(const glm::dvec3 &direction) {
 	const double s = direction[(axis + 1) % 3] / std::abs(major);
 	const double t = direction[(axis + 2) % 3] / std::abs(major);
 	const int face = 2 * axis + (major < 0.0 ? 1 : 0);
-	const int cell = (face * kDivisions + division_of(s)) * kDivisions + division_of(t);
+	const int cell = (face * divisions + division_of(s, divisions)) * divisions + division_of(t, divisions);
 	return static_cast<std::size_t>(cell);
 }
 
@@ -82,19 +89,43 @@ void bound(const StarTable &table, const std::vector<glm::dvec3> &directions, co
 
 std::vector<StarGroup> group_stars(
 		const StarTable &table, const std::vector<glm::dvec3> &directions, const PlanckTable &planck) {
-	std::vector<StarGroup> cells(std::size_t{6} * kDivisions * kDivisions);
-	for (std::size_t rank = 0; rank < table.stars.size(); ++rank) {
-		cells[cell_of(directions[rank])].stars.push_back(static_cast<std::uint32_t>(rank));
-	}
-	std::vector<StarGroup> groups;
-	for (StarGroup &cell : cells) {
-		if (!cell.stars.empty()) {
-			rank(table, planck, cell);
-			bound(table, directions, planck, cell);
-			groups.push_back(std::move(cell));
+	const std::size_t count = table.stars.size();
+	const int divisions = divisions_for(count);
+	std::vector<std::uint16_t> cell_of_star(count);
+	parallel_for(count, kPiece, [&](std::size_t first, std::size_t end) {
+		for (std::size_t i = first; i < end; ++i) {
+			cell_of_star[i] = static_cast<std::uint16_t>(cell_of(directions[i], divisions));
 		}
+	});
+	std::vector<StarGroup> groups(std::size_t{6} * static_cast<std::size_t>(divisions * divisions));
+	std::vector<std::size_t> sizes(groups.size());
+	for (const std::uint16_t cell : cell_of_star) {
+		++sizes[cell];
 	}
+	for (std::size_t cell = 0; cell < groups.size(); ++cell) {
+		groups[cell].stars.reserve(sizes[cell]);
+	}
+	for (std::size_t i = 0; i < count; ++i) {
+		groups[cell_of_star[i]].stars.push_back(static_cast<std::uint32_t>(i));
+	}
+	std::erase_if(groups, [](const StarGroup &group) { return group.stars.empty(); });
+	parallel_for(groups.size(), 1 + kPiece * groups.size() / (count + 1), [&](std::size_t first, std::size_t end) {
+		for (std::size_t i = first; i < end; ++i) {
+			rank(table, planck, groups[i]);
+			bound(table, directions, planck, groups[i]);
+		}
+	});
 	return groups;
+}
+
+std::vector<glm::dvec3> star_directions(const StarTable &table) {
+	std::vector<glm::dvec3> directions(table.stars.size());
+	parallel_for(directions.size(), kPiece, [&](std::size_t first, std::size_t end) {
+		for (std::size_t i = first; i < end; ++i) {
+			directions[i] = world_direction(table.stars[i]);
+		}
+	});
+	return directions;
 }
 
 } // namespace blackhole

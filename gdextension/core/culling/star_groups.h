@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -27,9 +28,17 @@ struct StarGroup {
 	ShiftBound shift;            ///< what a shift of frequencies does at most, beyond kRankingShift
 };
 
-/// Divides a catalogue (brightest first) into at most 150 groups: twenty-fifths of the faces of a cube round
-/// the observer. `directions` are the stars' unit vectors. A star belongs to one group only.
+/// Catalogues of fewer stars are divided into twenty-fifths of the faces of a cube round the observer (150 parts
+/// of the sky), larger ones into hundredths.
+inline constexpr std::size_t kManyStars = 500000;
+
+/// Divides a catalogue (brightest first) into at most 150 groups, or 600 from kManyStars on. `directions` are the
+/// stars' unit vectors. A star belongs to one group only. Takes time in proportion to the stars, on all
+/// processors.
 std::vector<StarGroup> group_stars(
 		const StarTable &table, const std::vector<glm::dvec3> &directions, const PlanckTable &planck);
+
+/// The stars' unit vectors, in world axes.
+std::vector<glm::dvec3> star_directions(const StarTable &table);
 
 } // namespace blackhole

@@ -9,7 +9,7 @@ target_sources(blackhole_core PRIVATE
 # lensing_shader.cpp includes the shaders' sources with their literals marked as single precision.
 set(_shader_to_cpp "${CMAKE_CURRENT_LIST_DIR}/shader_to_cpp.cmake")
 set(_shader_sources)
-foreach(_name observer lensing effects)
+foreach(_name observer lensing effects map_projection)
 	set(_shader "${PROJECT_SOURCE_DIR}/../addons/blackhole_sky/shaders/${_name}.gdshaderinc")
 	set(_source "${CMAKE_CURRENT_BINARY_DIR}/shader_source/${_name}_source.inc")
 	add_custom_command(OUTPUT "${_source}"

@@ -32,11 +32,7 @@ StarTable random_table(std::size_t count) {
 }
 
 std::vector<StarGroup> grouped(const StarTable &table) {
-	std::vector<glm::dvec3> directions;
-	for (const Star &star : table.stars) {
-		directions.push_back(world_direction(star));
-	}
-	return group_stars(table, directions, PlanckTable());
+	return group_stars(table, star_directions(table), PlanckTable());
 }
 
 TEST(StarGroups, EveryStarIsInExactlyOneGroupAndInsideItsBounds) {
@@ -73,6 +69,27 @@ TEST(StarGroups, AreSmallPartsOfTheSky) {
 	EXPECT_LE(groups.size(), 150U);
 	for (const StarGroup &group : groups) {
 		EXPECT_LT(group.angular_radius, 0.3);
+	}
+}
+
+TEST(StarGroups, OfVeryManyStarsAreSmaller) {
+	const std::vector<StarGroup> groups = grouped(random_table(kManyStars));
+	EXPECT_LE(groups.size(), 600U);
+	std::size_t stars = 0;
+	for (const StarGroup &group : groups) {
+		EXPECT_LT(group.angular_radius, 0.15);
+		EXPECT_TRUE(std::is_sorted(group.ranks.begin(), group.ranks.end()));
+		stars += group.stars.size();
+	}
+	EXPECT_EQ(stars, kManyStars);
+}
+
+TEST(StarDirections, AreThoseOfTheStarsInTheirOrder) {
+	const StarTable table = random_table(50000);
+	const std::vector<glm::dvec3> directions = star_directions(table);
+	ASSERT_EQ(directions.size(), table.stars.size());
+	for (std::size_t i = 0; i < directions.size(); ++i) {
+		ASSERT_EQ(directions[i], world_direction(table.stars[i]));
 	}
 }
 

@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: MIT
+class_name SkyLabels
+extends Control
+## Writes names of stars and constellations beside their images, bent like the sky they belong to.
+##
+## Lay it over the whole viewport whose camera sees the sky.
+
+@export var sky: BlackHoleSky
+## The camera; empty: the viewport's current one.
+@export var camera: Camera3D
+## Names of stars up to this V magnitude.
+@export_range(-2.0, 4.5, 0.1, "suffix:mag") var faintest: float = 2.5
+@export var stars_shown: bool = true
+@export var constellations_shown: bool = false
+## Of the second images, inside the Einstein ring, as well.
+@export var second_images: bool = false
+@export var star_colour := Color(0.75, 0.82, 0.95, 0.9)
+@export var constellation_colour := Color(0.35, 0.62, 0.75, 0.9)
+## Pixels in a picture of 720 rows.
+@export_range(6.0, 40.0, 0.5, "suffix:px") var font_size: float = 13.0
+
+var stars := StarNames.new()
+var figures := ConstellationFigures.new()
+
+var _taken: Array[Rect2] = []
+
+
+func _init() -> void:
+	mouse_filter = MOUSE_FILTER_IGNORE
+	set_anchors_preset(PRESET_FULL_RECT)
+
+
+func _process(_delta: float) -> void:
+	if is_visible_in_tree():
+		queue_redraw()
+
+
+func _draw() -> void:
+	var eye := camera if camera != null else get_viewport().get_camera_3d()
+	if sky == null or eye == null:
+		return
+	_taken.clear()
+	if stars_shown:
+		for i in stars.count_to(faintest):
+			for order in 2 if second_images else 1:
+				_write(eye, stars.directions[i], order, stars.names[i], star_colour, false)
+	if constellations_shown:
+		var language := TranslationServer.get_locale()
+		for figure in figures.figures:
+			for label in figure.labels:
+				_write(eye, label, 0, figure.name(language), constellation_colour, true)
+
+
+## Nearer names come first; what would lie over another is left out.
+func _write(
+	eye: Camera3D, direction: Vector3, order: int, text: String, colour: Color, centred: bool
+) -> void:
+	var at := sky.project_image(eye, direction, order)
+	if not at.is_finite() or not get_rect().has_point(at):
+		return
+	var font := get_theme_default_font()
+	var pixels := maxi(roundi(font_size * maxf(size.y / 720.0, 0.7)), 6)
+	var extent := font.get_string_size(text, HORIZONTAL_ALIGNMENT_LEFT, -1.0, pixels)
+	var left := at + Vector2(-0.5 * extent.x, 0.0) if centred else at + Vector2(0.6, 0.3) * pixels
+	var box := Rect2(left - Vector2(0.0, font.get_ascent(pixels)), extent)
+	for other in _taken:
+		if other.intersects(box):
+			return
+	_taken.append(box)
+	draw_string(font, left, text, HORIZONTAL_ALIGNMENT_LEFT, -1.0, pixels, colour)

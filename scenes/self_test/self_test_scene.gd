@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: MIT
+class_name SelfTestScene
+extends Control
+## The self-test as a program: prints the table, writes JSON if asked to, and quits with 0, with 1
+## when a check has failed, with 2 when nothing could be checked.
+##
+##     godot --path . -- --self-test[=FILE.json]
+
+const FILE: String = "res://scenes/self_test/self_test.tscn"
+const ARGUMENT: String = "--self-test"
+
+@onready var _progress: Label = %Progress
+
+
+func _ready() -> void:
+	_run.call_deferred()
+
+
+## Does a command line (what follows `--`) ask for the self-test?
+static func is_asked_for(arguments: PackedStringArray) -> bool:
+	for argument in arguments:
+		if argument == ARGUMENT or argument.begins_with(ARGUMENT + "="):
+			return true
+	return false
+
+
+## The file that a command line wants to be written, or an empty string.
+static func file_asked_for(arguments: PackedStringArray) -> String:
+	for argument in arguments:
+		if argument.begins_with(ARGUMENT + "="):
+			return argument.trim_prefix(ARGUMENT + "=")
+	return ""
+
+
+func _run() -> void:
+	if DisplayServer.get_name() == "headless":
+		_give_up("nothing is drawn with --headless. Start without it.")
+		return
+	var test := SelfTest.new()
+	add_child(test)
+	test.progressed.connect(_on_progressed)
+	var results: Array[CheckResult] = await test.run()
+	print("\n".join(SelfTestReport.lines(results)))
+	var path := file_asked_for(OS.get_cmdline_user_args())
+	if not path.is_empty():
+		var file := FileAccess.open(path, FileAccess.WRITE)
+		if file == null or not file.store_string(SelfTestReport.json(results)):
+			_give_up("%s cannot be written. Check folder and disk." % path)
+			return
+		file.close()
+	get_tree().quit(0 if SelfTest.have_passed(results) else 1)
+
+
+func _on_progressed(done: int, total: int, result: CheckResult) -> void:
+	_progress.text = "%d / %d  %s" % [done, total, result.name]
+
+
+func _give_up(reason: String) -> void:
+	printerr("self-test: %s" % reason)
+	get_tree().quit(2)
