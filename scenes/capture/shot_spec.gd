@@ -35,7 +35,6 @@ const PROJECTIONS: PackedStringArray = [
 ## What the schema lets in and nobody draws yet.
 const NOT_YET: PackedStringArray = [
 	"exposure.auto",
-	"psf",
 	"path",
 ]
 
@@ -61,6 +60,7 @@ var lensing: bool = true
 var psf_sigma_px: float = 1.0
 var exposure_ev: float = 0.0
 var effects := ShotEffects.new()
+var point_spread := ShotPointSpread.new()
 ## Bits of BlackHoleSky.Overlay.
 var overlays: int = 0
 var star_names: bool = false
@@ -119,6 +119,7 @@ func _read(data: Dictionary) -> void:
 		_read_background(data)
 	if error.is_empty():
 		effects = ShotEffects.from_data(data.get("effects", {}))
+		point_spread = ShotPointSpread.from_data(data.get("psf", {"sigma_px": psf_sigma_px}))
 		_read_exposure(data)
 		for name: String in data.get("overlays", []):
 			if name == "star_names":

@@ -75,7 +75,7 @@ func _dress(spec: ShotSpec, refusal: PackedStringArray) -> bool:
 	_sky.magnitude_limit = spec.magnitude_limit
 	_sky.image_orders = spec.orders
 	_sky.lensing = 1.0 if spec.lensing else 0.0
-	_sky.psf_sigma = spec.psf_sigma_px
+	spec.point_spread.apply_to(_sky)
 	_sky.exposure = spec.exposure_ev
 	# Without the hole the eye is at rest.
 	_sky.observer = spec.observer.to_sky_observer() if spec.lensing else null

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 class_name PlanckLight
 extends RefCounted
-## Luminance and colour of black bodies, summed directly from the CIE 1931 table: what the shaders' own table
-## is measured against.
+## Luminance and colour of black bodies, summed directly from the CIE 1931 table: what the shaders'
+## own table is measured against.
 
 const TABLE_FILE: String = "res://tests/data/cie1931_2deg_1nm.csv"
 ## Second radiation constant h c / k in metre kelvin.

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 extends GutTest
-## Each effect can be switched off alone: what a picture shows then is the exact chain flat sky ->
-## static observer -> moving observer without that link. And the shaders for the usual case show what
-## the general ones show.
+## Each effect can be switched off alone: what a picture shows then is the exact chain flat sky,
+## static observer, moving observer without that link. And the shaders for the usual case show
+## what the general ones show.
 
 const PLACE := Vector3(2.4, -1.2, 2.8)
 const STAR_KELVIN: float = 5800.0

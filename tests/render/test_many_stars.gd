@@ -39,7 +39,9 @@ func test_an_eye_that_nears_the_hole_sees_every_image() -> void:
 	gut.p("%s bytes" % bytes)
 	assert_gt(bytes[2], bytes[0] + STARS, "buffers grow where images grow many")
 	for i in bytes.size():
-		assert_gt(bytes[i], BYTES_IN_FULL * STARS, "the first images' are whole, and others are seen")
+		assert_gt(
+			bytes[i], BYTES_IN_FULL * STARS, "the first images' are whole, and others are seen"
+		)
 		assert_lt(bytes[i], roundi(MOST_BYTES_PER_STAR * STARS), "at %s" % PLACES[i])
 
 

@@ -37,7 +37,8 @@ func test_shadow_edge() -> void:
 	await _check_circle(BlackHoleSky.OVERLAY_SHADOW_EDGE, _view.shadow_half_angle())
 
 
-## The first Einstein ring is what lies straight behind the hole, the second what lies behind the eye.
+## The first Einstein ring is what lies straight behind the hole, the second what lies behind the
+## eye.
 func test_einstein_rings() -> void:
 	var behind := _view.observer.star_image(PLACE, -PLACE, 0)
 	await _check_circle(BlackHoleSky.OVERLAY_EINSTEIN_RINGS, behind["xi"])
@@ -60,7 +61,7 @@ func test_direction_of_motion() -> void:
 	_view.observer.motion = LensingTable.MOTION_VELOCITY
 	_view.observer.relative_to_static = true
 	_view.observer.celerity = Vector3(0.3, -0.2, 0.5)
-	# Against the static observer's axes the moving one's are turned a little; along the motion they agree.
+	# The moving observer's axes are turned a little against the static one's.
 	_view.look_along(ExactView.doubled(_apex()), Vector3.UP)
 	_booth.sky.overlays = BlackHoleSky.OVERLAY_MOTION
 	var picture := await _picture()

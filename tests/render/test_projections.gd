@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 extends GutTest
-## Maps of the whole sky: stars stand where the map's formula puts them, also behind the camera, near
-## the poles and on the seam, with the light that the pixels' solid angle asks for.
+## Maps of the whole sky: stars stand where the map's formula puts them, also behind the camera,
+## near the poles and on the seam, with the light that the pixels' solid angle asks for.
 
 const SIZE := Vector2i(1024, 640)
 const PLACE := Vector3(2.0, 1.5, -6.0)
