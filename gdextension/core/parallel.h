@@ -9,9 +9,9 @@
 
 namespace blackhole {
 
-/// Calls work(first, end) for pieces of [0, count) that together are all of it, on all processors, and returns
-/// when the last is done. `piece` (at least 1) is the most that one call gets: less than that is not worth a
-/// thread. Calls overlap in time, so work must not touch what another piece changes, nor throw.
+/// Calls work(first, end) for pieces of [0, count) that together are all of it, on all processors, and
+/// returns when the last is done. `piece` (at least 1) is the most that one call gets: less than that is not
+/// worth a thread. Calls overlap in time, so work must not touch what another piece changes, nor throw.
 template <class Work>
 void parallel_for(std::size_t count, std::size_t piece, const Work &work) {
 	std::atomic<std::size_t> next{0};

@@ -161,7 +161,8 @@ void BlackHoleSky::_bind_methods() {
 	ADD_PROPERTY(
 			PropertyInfo(Variant::FLOAT, "panorama_luminance", PROPERTY_HINT_RANGE, "0,10,0.001,or_greater"),
 			"set_panorama_luminance", "get_panorama_luminance");
-	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "panorama_is_light"), "set_panorama_is_light", "is_panorama_light");
+	ADD_PROPERTY(
+			PropertyInfo(Variant::BOOL, "panorama_is_light"), "set_panorama_is_light", "is_panorama_light");
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "render_layers", PROPERTY_HINT_LAYERS_3D_RENDER),
 			"set_render_layers", "get_render_layers");
 

@@ -18,8 +18,8 @@
 #include "src/sky_settings.h"
 
 /// Draws a catalogue: per order of images and group of stars one MultiMesh, of which the brightest stars are
-/// drawn, as many as can be seen. Those of the second and further images hold hardly more than that; where most
-/// of a group is seen, they are the one of the first images. Owns what it makes on the RenderingServer.
+/// drawn, as many as can be seen. Those of the second and further images hold hardly more than that; where
+/// most of a group is seen, they are the one of the first images. Owns what it makes on the RenderingServer.
 class StarLayer {
 public:
 	static constexpr int kMaxOrders = 4;
@@ -58,8 +58,8 @@ private:
 	struct Images {
 		godot::RID multimesh;
 		godot::RID instance;
-		int reserved = 0; ///< stars that are to be drawn
-		int drawn = 0; ///< stars that the MultiMesh is set to draw
+		int reserved = 0;     ///< stars that are to be drawn
+		int drawn = 0;        ///< stars that the MultiMesh is set to draw
 		bool borrows = false; ///< draws the MultiMesh of the first images instead, with all stars
 		/// That number does, and is not much too large, for faintest ranks from here to below there.
 		float enough_from = 0.0F;

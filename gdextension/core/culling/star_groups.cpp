@@ -14,7 +14,7 @@
 namespace blackhole {
 namespace {
 
-constexpr int kDivisions = 5; // cells along a cube face's edge
+constexpr int kDivisions = 5;         // cells along a cube face's edge
 constexpr std::size_t kPiece = 16384; // stars that make a thread worth while
 
 int division_of(double coordinate) {
@@ -104,12 +104,13 @@ std::vector<StarGroup> group_stars(
 		groups[cell_of_star[i]].stars.push_back(static_cast<std::uint32_t>(i));
 	}
 	std::erase_if(groups, [](const StarGroup &group) { return group.stars.empty(); });
-	parallel_for(groups.size(), 1 + kPiece * groups.size() / (count + 1), [&](std::size_t first, std::size_t end) {
-		for (std::size_t i = first; i < end; ++i) {
-			rank(table, planck, groups[i]);
-			bound(table, directions, planck, groups[i]);
-		}
-	});
+	parallel_for(
+			groups.size(), 1 + kPiece * groups.size() / (count + 1), [&](std::size_t first, std::size_t end) {
+				for (std::size_t i = first; i < end; ++i) {
+					rank(table, planck, groups[i]);
+					bound(table, directions, planck, groups[i]);
+				}
+			});
 	return groups;
 }
 

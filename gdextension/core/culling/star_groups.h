@@ -30,8 +30,8 @@ struct StarGroup {
 
 /// Divides a catalogue (brightest first) into at most 150 groups: twenty-fifths of the faces of a cube round
 /// the observer. More were no gain even with 2.5 million stars: as many drawn, and twice the work before each
-/// frame. `directions` are the stars' unit vectors. A star belongs to one group only. Takes time in proportion to
-/// the stars, on all processors.
+/// frame. `directions` are the stars' unit vectors. A star belongs to one group only. Takes time in
+/// proportion to the stars, on all processors.
 std::vector<StarGroup> group_stars(
 		const StarTable &table, const std::vector<glm::dvec3> &directions, const PlanckTable &planck);
 

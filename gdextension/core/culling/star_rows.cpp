@@ -29,8 +29,8 @@ void pack_rows(const StarTable &table, const std::vector<glm::dvec3> &directions
 		const double radius = radius_of_zero * std::exp2(0.5 * (log_flux + log_of_zero - log_luminance));
 		const std::array<float, kFloatsPerStar> row = {static_cast<float>(std::exp2(log_flux)),
 				static_cast<float>(radius), 0.0F, static_cast<float>(direction.x), star.temperature_k,
-				star.v_magnitude, 0.0F, static_cast<float>(direction.y), static_cast<float>(log_luminance), 0.0F,
-				0.0F, static_cast<float>(direction.z)};
+				star.v_magnitude, 0.0F, static_cast<float>(direction.y), static_cast<float>(log_luminance),
+				0.0F, 0.0F, static_cast<float>(direction.z)};
 		rows = std::copy(row.begin(), row.end(), rows);
 	}
 }
