@@ -4,7 +4,8 @@ extends SceneTree
 ##
 ##     godot --path . --rendering-method R -s res://scenes/bench/bench.gd -- OUT.json [MANY.stars]
 ##
-## A catalogue of millions of stars is measured when given. `./run bench` adds what is measured outside of the engine and prints the table.
+## A catalogue of millions of stars is measured when given. `./run bench` adds what is measured
+## outside of the engine and prints the table.
 
 const WINDOW_SIZE := Vector2i(64, 64)
 
