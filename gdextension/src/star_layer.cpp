@@ -31,9 +31,16 @@ constexpr double kHigherOrderFaintness = 6.0; // 6 x 5e-5: one step of an 8-bit 
 constexpr std::size_t kHigherOrders = StarLayer::kMaxOrders - 1;
 /// Rows that the second and further images should hold together, as a part of the stars: 14.4 bytes a star.
 constexpr double kHigherShare = 0.3;
-/// From this part of a group on, higher images draw all of it; and below the second one no longer.
-constexpr double kBorrowFrom = 0.6;
-constexpr double kBorrowDownTo = 0.5;
+/// From which part of a group on higher images draw all of it, and below which one no longer.
+struct BorrowLimits {
+	double from;
+	double down_to;
+};
+
+/// Drawing more than is seen costs time, buffers of their own cost memory: that is saved when it runs short.
+BorrowLimits borrow_limits(double pressure) {
+	return {pressure < 0.8 ? 0.6 : 0.3, pressure < 0.6 ? 0.5 : 0.2};
+}
 
 constexpr std::array<const char *, 8> kShaderNames = {"stars_flat", "stars_lensed", "stars_general",
 		"stars_map", "stars_flat_profile", "stars_lensed_profile", "stars_general_profile",
@@ -280,9 +287,10 @@ void StarLayer::draw(std::size_t group, int order, double rank) {
 	const int spare = 2 + count / 32;
 	int reserved = count == 0 ? 0 : std::min(count + spare, all);
 	int enough = reserved - 4 * spare;
-	if (order > 0 && count > 0 && reserved >= (images.borrows ? kBorrowDownTo : kBorrowFrom) * all) {
+	const BorrowLimits limits = borrow_limits(plan.pressure());
+	if (order > 0 && count > 0 && reserved >= (images.borrows ? limits.down_to : limits.from) * all) {
 		reserved = all;
-		enough = static_cast<int>(kBorrowDownTo * all) - spare;
+		enough = static_cast<int>(limits.down_to * all) - spare;
 	}
 	if (reserved != images.reserved) {
 		images.reserved = reserved;

@@ -28,11 +28,17 @@ BufferPlan::BufferPlan(const std::vector<std::size_t> &lengths, std::size_t p_mo
 const std::vector<std::size_t> &BufferPlan::need(std::size_t buffer, std::size_t rows) {
 	changed.clear();
 	Buffer &one = buffers[buffer];
+	needed_in_all -= one.needed;
 	one.needed = std::min(rows, one.length);
+	needed_in_all += one.needed;
 	if (one.needed > one.held) {
 		const std::size_t others = held_in_all - one.held;
 		resize(buffer, others + generous(one.needed) <= most ? generous(one.needed) : scant(one.needed));
-		take_back();
+		// First where it sets free as many rows as it writes again.
+		take_back(2.0);
+		take_back(1.4);
+	} else if (held_in_all > most && one.held > generous(one.needed)) {
+		resize(buffer, scant(one.needed));
 	}
 	return changed;
 }
@@ -45,11 +51,11 @@ void BufferPlan::resize(std::size_t buffer, std::size_t rows) {
 	changed.push_back(buffer);
 }
 
-void BufferPlan::take_back() {
+/// Makes buffers smaller that hold more than so many times what they need.
+void BufferPlan::take_back(double times) {
 	for (std::size_t turn = 0; turn < buffers.size() && held_in_all > most; ++turn) {
 		const Buffer &one = buffers[next];
-		// Only where it sets free about as many rows as it writes again.
-		if (one.held > 2 * one.needed + 4 * kFew) {
+		if (one.held > static_cast<std::size_t>(times * static_cast<double>(one.needed)) + 4 * kFew) {
 			resize(next, scant(one.needed));
 		}
 		next = (next + 1) % buffers.size();

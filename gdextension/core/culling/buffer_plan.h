@@ -14,7 +14,7 @@ class BufferPlan {
 public:
 	BufferPlan() = default;
 	/// lengths: rows of each buffer's list. most: rows that all together should not exceed; they do where
-	/// more is needed (at worst twice the need and a few rows each).
+	/// more is needed (at worst 1.4 times the need and a few rows each).
 	BufferPlan(const std::vector<std::size_t> &lengths, std::size_t most);
 
 	/// From now on this buffer needs the first `rows` of its list. Returns the buffers that must be made
@@ -24,6 +24,8 @@ public:
 	std::size_t holds(std::size_t buffer) const { return buffers[buffer].held; }
 	/// Rows of all buffers.
 	std::size_t total() const { return held_in_all; }
+	/// What is needed as a part of the rows that all should not exceed.
+	double pressure() const { return static_cast<double>(needed_in_all) / static_cast<double>(most + 1); }
 
 private:
 	struct Buffer {
@@ -33,12 +35,13 @@ private:
 	};
 
 	void resize(std::size_t buffer, std::size_t rows);
-	void take_back();
+	void take_back(double times);
 
 	std::vector<Buffer> buffers;
 	std::vector<std::size_t> changed;
 	std::size_t most = 0;
 	std::size_t held_in_all = 0;
+	std::size_t needed_in_all = 0;
 	std::size_t next = 0; ///< whose turn it is to give rows back
 };
 

@@ -58,6 +58,25 @@ TEST(BufferPlan, HoldsMoreThanWishedRatherThanTooLittle) {
 	EXPECT_GE(plan.holds(1), 800U);
 }
 
+TEST(BufferPlan, KnowsHowMuchIsNeeded) {
+	BufferPlan plan({1000, 1000}, 1000);
+	EXPECT_EQ(plan.pressure(), 0.0);
+	plan.need(0, 300);
+	plan.need(1, 500);
+	EXPECT_NEAR(plan.pressure(), 0.8, 1e-3);
+	plan.need(0, 0);
+	EXPECT_NEAR(plan.pressure(), 0.5, 1e-3);
+}
+
+TEST(BufferPlan, TakesBackFromWhatNeedsLessWhileTooMuchIsHeld) {
+	BufferPlan plan({1000, 1000}, 1000);
+	plan.need(0, 900);
+	plan.need(1, 900);
+	ASSERT_GT(plan.total(), 1000U);
+	EXPECT_EQ(plan.need(0, 0), std::vector<std::size_t>{0});
+	EXPECT_LE(plan.total(), 1000U);
+}
+
 /// Needs that swell and shrink one after another, as those of the groups that an eye passes.
 TEST(BufferPlan, WritesLittleOverTime) {
 	constexpr std::size_t kBuffers = 150;
