@@ -29,6 +29,8 @@ func _ready() -> void:
 	_guide.advised.connect(_on_advised)
 	_help.visibility_changed.connect(_on_help_visibility_changed)
 	_panel.visibility_changed.connect(_on_panel_visibility_changed)
+	_rides.started.connect(_make_room)
+	_rides.left.connect(_make_room)
 	_help.fullscreen_asked.connect(toggle_fullscreen)
 	_help.quit_asked.connect(quit)
 	_route_actions()
@@ -47,8 +49,7 @@ func _process(_delta: float) -> void:
 
 func toggle_hud() -> void:
 	_readouts.visible = not _readouts.visible
-	_hint.visible = _readouts.visible
-	_ride_bar.modulate.a = 1.0 if _readouts.visible else 0.0
+	_make_room()
 
 
 func toggle_help() -> void:
@@ -140,6 +141,12 @@ func _on_help_visibility_changed() -> void:
 	_router.restricted = _help.visible
 	_frame.visible = not _help.visible
 	_pointer.wake()
+
+
+# The bar of a ride names its keys itself and takes the place of the hint.
+func _make_room() -> void:
+	_hint.visible = _readouts.visible and not _rides.is_on()
+	_ride_bar.modulate.a = 1.0 if _readouts.visible else 0.0
 
 
 func _on_panel_visibility_changed() -> void:
