@@ -157,9 +157,21 @@ func test_rests_during_a_ride_and_resumes() -> void:
 	_choice.watch(_at(0.5))
 	assert_eq(_choice.get_kind(), ObserverKind.Kind.ORBIT_LEFT)
 	assert_signal_not_emitted(_choice, "warned")
-	_choice.resume(_at(4.0), UP)
+	_choice.resume(_at(4.0))
 	assert_eq(_sky.observer_motion, LensingTable.MOTION_ORBIT)
+	assert_eq(_sky.observer.axis, -UP)
 	_choice.resting = true
-	_choice.resume(_at(0.5), UP)
+	_choice.resume(_at(0.5))
 	assert_eq(_choice.get_kind(), ObserverKind.Kind.RAIN)
 	assert_signal_emit_count(_choice, "warned", 1)
+
+
+func test_who_was_dropped_is_the_same_after_a_flight_without_the_hole() -> void:
+	_choice.choose(ObserverKind.Kind.DROPPED, _at(3.0), UP)
+	var energy := _sky.observer.energy
+	_choice.resting = true
+	_sky.observer = SkyObserver.new()
+	_sky.lensing = 0.0
+	_choice.resume(_at(2.0))
+	assert_eq(_choice.get_kind(), ObserverKind.Kind.DROPPED)
+	assert_eq(_sky.observer.energy, energy)

@@ -84,7 +84,7 @@ func leave() -> void:
 	ride = null
 	switches.want_hole(true)
 	controls.mode = _mode_before
-	choice.resume(controls.rig.get_position(), _up())
+	choice.resume(controls.rig.get_position())
 	left.emit()
 
 

@@ -39,9 +39,15 @@ var energy: float = 1.2:
 		energy = clampf(value, LEAST_ENERGY, LARGEST_ENERGY)
 
 ## During a ride its motion counts, not the choice.
-var resting: bool = false
+var resting: bool = false:
+	set(value):
+		if value and not resting:
+			get_kind()  # what was set at the sky itself is a choice too
+			_chosen = sky.observer
+		resting = value
 
 var _kind: ObserverKind.Kind = ObserverKind.Kind.STATIC
+var _chosen: SkyObserver
 
 
 ## What is chosen. Follows a motion that was set at the sky itself.
@@ -85,14 +91,12 @@ func watch(place: Vector3) -> void:
 		_fall_back(ObserverKind.refusal(get_kind(), _radius(place), observer.energy), place)
 
 
-## Lets the choice count again after a ride; `place` and `up` are those at its end.
-func resume(place: Vector3, up: Vector3) -> void:
+## Lets the choice count again after a ride that ended at `place`.
+func resume(place: Vector3) -> void:
 	resting = false
-	var observer := make(_kind, place, up)
-	if _exists(observer, place):
-		_take(_kind, observer)
-	else:
-		_fall_back(ObserverKind.refusal(_kind, _radius(place), energy), place)
+	var observer := _chosen if _chosen != null else make(_kind, place, Vector3.UP)
+	_take(_kind, observer)
+	watch(place)
 
 
 ## The observer of a kind at a place; null where nobody can even be thought to move so.
@@ -140,4 +144,5 @@ func _fall_back(reason: String, place: Vector3) -> void:
 
 func _take(kind: ObserverKind.Kind, observer: SkyObserver) -> void:
 	_kind = kind
+	_chosen = observer
 	sky.observer = observer
