@@ -122,7 +122,7 @@ func test_a_flight_into_the_hole_turns_the_observer_to_rain() -> void:
 	assert_lt(_controls.rig.get_distance(), 1.0)
 	await wait_process_frames(2)
 	assert_eq(_sky.observer_motion, LensingTable.MOTION_RAIN)
-	assert_string_contains(_notices.get_text(SkySwitches.OBSERVER), "horizon")
+	assert_string_contains(_notices.get_text(ObserverChoice.TOPIC), "horizon")
 	_hold(_key_event(KEY_W))
 	_let_pass(60.0)
 	_hold(_key_event(KEY_W, false))

@@ -54,7 +54,7 @@ func test_the_display_knows_the_inside_and_a_sky_without_hole() -> void:
 	_controls.rig.place(Vector3(0.0, 0.0, 0.5), Quaternion.IDENTITY)
 	await wait_process_frames(2)
 	assert_string_contains(_text("Observer"), "rain")
-	assert_string_contains(_notices.get_text(SkySwitches.OBSERVER), "horizon")
+	assert_string_contains(_notices.get_text(ObserverChoice.TOPIC), "horizon")
 	var inside: Label = _scene.get_node("%Readouts").get_node("%Inside")
 	assert_true(inside.visible)
 	_sky.lensing = 0.0
@@ -99,7 +99,7 @@ func test_static_is_refused_by_key_inside_the_horizon() -> void:
 	_controls.rig.place(Vector3(0.0, 0.7, 0.0), Quaternion.IDENTITY)
 	_press_key(KEY_O)
 	assert_eq(_sky.observer_motion, LensingTable.MOTION_RAIN)
-	assert_string_contains(_notices.get_text(SkySwitches.OBSERVER), "horizon")
+	assert_string_contains(_notices.get_text(ObserverChoice.TOPIC), "horizon")
 
 
 func test_the_display_is_hidden_and_shown() -> void:
@@ -159,7 +159,7 @@ func test_quitting_takes_two_presses() -> void:
 	_press_key(KEY_ESCAPE)
 	assert_true(_help.visible)
 	assert_signal_not_emitted(_help, "quit_asked")
-	_press_button(JOY_BUTTON_BACK)
+	_press_key(KEY_ESCAPE)
 	assert_signal_emit_count(_help, "quit_asked", 1)
 
 

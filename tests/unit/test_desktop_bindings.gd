@@ -47,14 +47,17 @@ func test_every_action_in_the_scripts_is_in_the_input_map_and_explained() -> voi
 func test_every_explained_action_has_a_key_and_a_gamepad_control() -> void:
 	for action in _explained():
 		assert_ne(BindingNames.keyboard([action]), "", "key of %s" % action)
-		assert_ne(BindingNames.gamepad([action]), "", "gamepad control of %s" % action)
+		# Quitting has a button in the help itself.
+		if action != &"quit":
+			assert_ne(BindingNames.gamepad([action]), "", "gamepad control of %s" % action)
 
 
 func test_no_key_does_two_things_at_once() -> void:
 	# Turning shares its keys: one way round the hole, the other in flight. So do the triggers.
 	var seen: Dictionary[int, StringName] = {}
+	# What a key does on a ride may be explained in a row of its own.
 	for action in _explained():
-		if action.begins_with("look_"):
+		if action.begins_with("look_") or seen.values().has(action):
 			continue
 		for event in InputMap.action_get_events(action):
 			if event is InputEventKey:

@@ -59,3 +59,29 @@ func test_names() -> void:
 	assert_eq(ReadoutText.background(BlackHoleSky.BACKGROUND_PANORAMA), "Milky Way")
 	assert_eq(ReadoutText.image_orders(1), "1 image order")
 	assert_eq(ReadoutText.image_orders(3), "3 image orders")
+
+
+func test_large_numbers_have_words() -> void:
+	assert_eq(ReadoutText.counted(354.4), "354.4")
+	assert_eq(ReadoutText.counted(12.7e6), "12.70 million")
+	assert_eq(ReadoutText.counted(-6.5e9), "-6.500 billion")
+	assert_eq(ReadoutText.kilometres(2.0, 29.53), "59.06 km")
+
+
+func test_durations() -> void:
+	assert_eq(ReadoutText.duration(0.0), "0 s")
+	assert_eq(ReadoutText.duration(49.3e-6), "49.30 µs")
+	assert_eq(ReadoutText.duration(12.0), "12.00 s")
+	assert_eq(ReadoutText.duration(90.0), "1.500 minutes")
+	assert_eq(ReadoutText.duration(-7200.0), "-2.000 hours")
+	assert_eq(ReadoutText.duration(43200.0 * 3.0), "1.500 days")
+	assert_eq(ReadoutText.duration(31557600.0 * 100.0), "100.0 years")
+	assert_eq(ReadoutText.duration(NAN), ReadoutText.NOTHING)
+
+
+func test_speeds_clocks_and_accelerations() -> void:
+	assert_eq(ReadoutText.speed(0.5), "0.5000 c")
+	assert_eq(ReadoutText.speed(0.99999), "> 0.9999 c")
+	assert_eq(ReadoutText.clock_rate(0.5), "× 0.5000")
+	assert_eq(ReadoutText.clock_rate(NAN), ReadoutText.NOTHING)
+	assert_eq(ReadoutText.acceleration(2.0, 1.5e6), "3.000 million g")

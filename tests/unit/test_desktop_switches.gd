@@ -15,38 +15,6 @@ func before_each() -> void:
 	watch_signals(_switches)
 
 
-func test_static_ends_at_the_horizon() -> void:
-	assert_true(SkySwitches.can_be_static(1.0001, 1.0))
-	assert_false(SkySwitches.can_be_static(1.0, 1.0))
-	assert_false(SkySwitches.can_be_static(0.3, 1.0))
-	assert_true(SkySwitches.can_be_static(0.3, 0.2), "the horizon of a lighter hole is smaller")
-	assert_true(SkySwitches.can_be_static(0.3, 0.0), "without a hole one can stand anywhere")
-
-
-func test_observer_changes_outside() -> void:
-	_switches.next_observer(2.0)
-	assert_eq(_sky.observer_motion, LensingTable.MOTION_RAIN)
-	_switches.next_observer(2.0)
-	assert_eq(_sky.observer_motion, LensingTable.MOTION_STATIC)
-	assert_signal_not_emitted(_switches, "warned")
-
-
-func test_static_is_refused_inside() -> void:
-	_sky.observer_motion = LensingTable.MOTION_RAIN
-	_switches.next_observer(1.0)
-	assert_eq(_sky.observer_motion, LensingTable.MOTION_RAIN)
-	assert_signal_emit_count(_switches, "warned", 1)
-
-
-func test_a_static_observer_at_the_horizon_turns_to_rain_once() -> void:
-	_switches.watch_observer(1.5)
-	assert_eq(_sky.observer_motion, LensingTable.MOTION_STATIC)
-	_switches.watch_observer(1.0)
-	_switches.watch_observer(0.9)
-	assert_eq(_sky.observer_motion, LensingTable.MOTION_RAIN)
-	assert_signal_emit_count(_switches, "warned", 1)
-
-
 func test_backgrounds_go_round() -> void:
 	_sky.panorama = ImageTexture.create_from_image(Image.create(2, 1, false, Image.FORMAT_RGB8))
 	_sky.background = BlackHoleSky.BACKGROUND_NONE
@@ -121,3 +89,9 @@ func test_the_guide_speaks_once_for_each_way_in() -> void:
 	guide.watch(2.0, ViewControls.Mode.ORBIT)
 	guide.watch(0.5, ViewControls.Mode.FLIGHT)
 	assert_signal_emit_count(guide, "advised", 1, "a free flyer can turn round")
+	guide.watch(2.0, ViewControls.Mode.RIDE)
+	guide.watch(0.5, ViewControls.Mode.RIDE, ViewControls.Gaze.AWAY)
+	assert_signal_emit_count(guide, "advised", 1, "who looks back sees the sky")
+	guide.watch(2.0, ViewControls.Mode.RIDE)
+	guide.watch(0.5, ViewControls.Mode.RIDE, ViewControls.Gaze.HOLE)
+	assert_signal_emit_count(guide, "advised", 2)

@@ -3,7 +3,7 @@ extends GutTest
 ## Every text of the desktop scene has its translation, with the same places for values.
 
 const FOLDER: String = "res://scenes/desktop/"
-const TEXT_IN_SCRIPT: String = '(?:tr|_translated)\\(\\s*"([^"]+)"'
+const TEXT_IN_SCRIPT: String = '(?:tr|_translated|translate)\\(\\s*"([^"]+)"'
 const TEXT_IN_SCENE: String = '\\ntext = "([^"]+)"'
 
 var _german: Translation
@@ -37,6 +37,10 @@ func test_every_text_is_translated() -> void:
 		if not row.is_empty():
 			var what: String = row[0]
 			texts.append(what)
+			for at in range(2, row.size()):
+				var way: String = row[at]
+				if not way.is_empty():
+					texts.append(way)
 	for text in texts:
 		assert_ne(_german.get_message(text), &"", text)
 

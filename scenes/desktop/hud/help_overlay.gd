@@ -6,28 +6,35 @@ extends Control
 signal fullscreen_asked
 signal quit_asked
 
-## What is explained, which actions do it, and what the mouse does beside them; an empty row begins
-## the second column.
+## What is explained, which actions do it, what the mouse does beside them, and, where the gamepad
+## needs no control of its own, how it gets there; an empty row begins the second column.
 const ROWS: Array[Array] = [
 	["Go round the hole", [&"orbit_left", &"orbit_right", &"orbit_up", &"orbit_down"], "Drag"],
 	["Nearer, farther", [&"approach", &"recede"], "Wheel"],
 	["Orbit or free flight", [&"toggle_flight"], ""],
 	["Fly", [&"fly_forward", &"fly_left", &"fly_back", &"fly_right"], ""],
 	["Fly down, up", [&"fly_down", &"fly_up"], ""],
-	["Look around in flight", [&"look_left", &"look_right", &"look_up", &"look_down"], "Drag"],
+	["Look round: flight, ride", [&"look_left", &"look_right", &"look_up", &"look_down"], "Drag"],
 	["Roll", [&"roll_left", &"roll_right"], ""],
 	["Faster, while held", [&"fly_fast"], ""],
 	["First view", [&"reset_view"], ""],
-	[],
 	["With and without the hole", [&"toggle_lensing"], ""],
-	["Observer: static, rain", [&"next_observer"], ""],
+	["Next observer", [&"next_observer"], ""],
 	["Background", [&"next_background"], ""],
 	["Image orders", [&"next_image_orders"], ""],
 	["Darker, brighter", [&"exposure_down", &"exposure_up"], ""],
+	[],
+	["Effects, observers, rides", [&"toggle_panel"], ""],
+	["Ride: pause, go on", [&"ride_pause"], ""],
+	["Ride: back in time", [&"ride_reverse"], ""],
+	["Ride: slower, faster", [&"ride_slower", &"ride_faster"], ""],
+	["Ride: to and fro, held", [&"ride_back", &"ride_ahead"], "Slider"],
+	["Ride: free gaze, hole, back", [&"toggle_flight"], ""],
+	["Ride: leave", [&"ride_leave"], ""],
 	["Show or hide the display", [&"toggle_hud"], ""],
 	["Full screen", [&"toggle_fullscreen"], ""],
 	["This help", [&"toggle_help"], ""],
-	["Quit", [&"quit"], ""],
+	["Quit", [&"quit"], "", "Below"],
 ]
 
 @onready var _left: GridContainer = %Left
@@ -93,7 +100,14 @@ func _fill() -> void:
 		if not mouse.is_empty():
 			keys = tr(mouse) + BindingNames.BETWEEN + keys
 		var what: String = row[0]
-		_add_row(grid, what, keys, BindingNames.gamepad(actions))
+		_add_row(grid, what, keys, _gamepad(row, actions))
+
+
+func _gamepad(row: Array, actions: Array[StringName]) -> String:
+	if row.size() > 3:
+		var way: String = row[3]
+		return way
+	return BindingNames.gamepad(actions)
 
 
 func _add_row(

@@ -16,17 +16,21 @@ var _was_deep: bool = false
 
 
 func _process(_delta: float) -> void:
-	watch(controls.rig.get_distance(), controls.mode)
+	watch(controls.rig.get_distance(), controls.mode, controls.gaze)
 
 
 ## Gives its advice once for each time the eye goes deep inside while it keeps facing the hole.
-func watch(distance: float, mode: ViewControls.Mode) -> void:
+func watch(
+	distance: float, mode: ViewControls.Mode, gaze: ViewControls.Gaze = ViewControls.Gaze.FREE
+) -> void:
 	var deep := distance < DEEP
-	if deep and not _was_deep and mode == ViewControls.Mode.ORBIT:
+	if deep and not _was_deep:
 		var key := BindingNames.keyboard([&"toggle_flight"])
 		var button := BindingNames.gamepad([&"toggle_flight"])
-		advised.emit(
-			TOPIC,
-			tr("The sky is behind you: fly freely (%s or %s) and turn round.") % [key, button]
-		)
+		if mode == ViewControls.Mode.ORBIT:
+			var text := tr("The sky is behind you: fly freely (%s or %s) and turn round.")
+			advised.emit(TOPIC, text % [key, button])
+		elif mode == ViewControls.Mode.RIDE and gaze != ViewControls.Gaze.AWAY:
+			var text := tr("The sky is behind you: look back (%s or %s) or turn round.")
+			advised.emit(TOPIC, text % [key, button])
 	_was_deep = deep

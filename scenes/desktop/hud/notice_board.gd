@@ -43,7 +43,7 @@ func _make(text: String) -> PanelContainer:
 	label.text = text
 	label.horizontal_alignment = HORIZONTAL_ALIGNMENT_CENTER
 	label.autowrap_mode = TextServer.AUTOWRAP_WORD_SMART
-	label.custom_minimum_size.x = 560.0
+	label.custom_minimum_size.x = 460.0
 	var panel := PanelContainer.new()
 	panel.theme_type_variation = &"NoticePanel"
 	panel.mouse_filter = Control.MOUSE_FILTER_IGNORE

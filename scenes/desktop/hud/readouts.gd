@@ -8,10 +8,14 @@ const INTERVAL: float = 0.1
 
 @export var sky: BlackHoleSky
 @export var controls: ViewControls
+@export var director: RideDirector
 
 var _elapsed: float = INTERVAL
 
 @onready var _distance: Label = %Distance
+@onready var _kilometres: Label = %Kilometres
+@onready var _speed_caption: Label = %SpeedCaption
+@onready var _speed: Label = %Speed
 @onready var _inside: Label = %Inside
 @onready var _observer: Label = %Observer
 @onready var _shadow: Label = %Shadow
@@ -27,24 +31,19 @@ func _process(delta: float) -> void:
 		update()
 
 
-## Angular diameter of the shadow as the sky is drawn now, in radians; NAN when there is no hole.
-static func shadow_angle(of: BlackHoleSky, distance: float) -> float:
-	if of.lensing < 1e-3 or of.table == null or not of.table.is_ready():
-		return NAN
-	return LensingTable.shadow_angle(distance / of.lensing, of.observer_motion)
-
-
 func update() -> void:
 	var distance := controls.rig.get_distance()
-	var inside := distance <= sky.lensing
-	_distance.text = ReadoutText.distance(distance)
-	_inside.visible = inside
-	_observer.text = ReadoutText.observer(sky.observer_motion)
-	_shadow.text = tr("%s across") % ReadoutText.angle(shadow_angle(sky, distance))
+	_show_figure(distance)
+	_inside.visible = distance <= sky.lensing
+	_observer.text = _observer_text()
+	_speed.text = _speed_text()
+	var shadow := sky.shadow_angle_at(_eye())
+	_shadow.text = ReadoutText.NOTHING
+	if shadow > 0.0:
+		_shadow.text = tr("%s across") % ReadoutText.angle(shadow)
 	_frames.text = tr("%d per second") % roundi(Engine.get_frames_per_second())
-	var mode := tr("orbit") if controls.mode == ViewControls.Mode.ORBIT else tr("free flight")
 	var lensing := tr("lensing on") if sky.lensing > 0.5 else tr("lensing off")
-	_motion.text = "%s  ·  %s" % [mode, lensing]
+	_motion.text = "%s  ·  %s" % [_mode_text(), lensing]
 	_picture.text = (
 		"%s  ·  %s  ·  %s"
 		% [
@@ -53,3 +52,54 @@ func update() -> void:
 			ReadoutText.exposure(sky.exposure),
 		]
 	)
+
+
+func _eye() -> Vector3:
+	return sky.to_global(controls.rig.get_position() * sky.schwarzschild_radius)
+
+
+func _observer_text() -> String:
+	if sky.observer_motion != LensingTable.MOTION_INFALL:
+		return ReadoutText.observer(sky.observer_motion)
+	var way := tr("rising, energy %s") if sky.observer.outgoing else tr("falling, energy %s")
+	return way % ReadoutText.significant(sky.observer.energy)
+
+
+# The distance; on a flight without the hole, where there is nothing to be distant from, the speed.
+func _show_figure(distance: float) -> void:
+	var among_stars := director.is_on() and not director.ride.has_hole()
+	_speed.visible = not among_stars
+	_speed_caption.visible = not among_stars
+	if among_stars:
+		var celerity := director.ride.get_celerity().length()
+		_distance.text = ReadoutText.speed(ObserverSpeed.from_celerity(celerity))
+		_kilometres.text = "γ %s" % ReadoutText.significant(sqrt(1.0 + celerity * celerity))
+	else:
+		_distance.text = ReadoutText.distance(distance)
+		_kilometres.text = ReadoutText.kilometres(distance, sky.get_length_unit_km())
+
+
+# Of the motion that is shown: relative to the static observer outside, to rain inside.
+func _speed_text() -> String:
+	if sky.lensing < ObserverChoice.NO_HOLE:
+		return ReadoutText.speed(0.0)
+	var place := controls.rig.get_position() / sky.lensing
+	var observer := sky.observer if sky.observer != null else SkyObserver.new()
+	if not observer.get_refusal(place).is_empty():
+		return ReadoutText.NOTHING
+	var text := ReadoutText.speed(ObserverSpeed.of(observer.celerity_at(place), place))
+	return tr("%s against rain") % text if place.length() <= 1.0 else text
+
+
+func _mode_text() -> String:
+	match controls.mode:
+		ViewControls.Mode.ORBIT:
+			return tr("orbit")
+		ViewControls.Mode.FLIGHT:
+			return tr("free flight")
+	match controls.gaze:
+		ViewControls.Gaze.HOLE:
+			return tr("ride, looking at the hole")
+		ViewControls.Gaze.AWAY:
+			return tr("ride, looking back")
+	return tr("ride, looking freely")

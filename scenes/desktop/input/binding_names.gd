@@ -14,6 +14,8 @@ const KEYS: Dictionary[Key, String] = {
 	KEY_PAGEDOWN: "Page Down",
 	KEY_PLUS: "+",
 	KEY_MINUS: "−",
+	KEY_COMMA: ",",
+	KEY_PERIOD: ".",
 }
 ## Keys that need no mention beside another key of the same action.
 const SECOND_KEYS: Array[Key] = [KEY_EQUAL, KEY_KP_ADD, KEY_KP_SUBTRACT]

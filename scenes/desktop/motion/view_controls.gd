@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: MIT
 class_name ViewControls
 extends Node
-## Moves the camera by keyboard, mouse and gamepad: round the hole, or in free flight.
+## Moves the camera by keyboard, mouse and gamepad: round the hole, in free flight, or looking round
+## on a ride, which itself moves the eye.
 
 signal mode_changed(mode: Mode)
 
-enum Mode { ORBIT, FLIGHT }
+enum Mode { ORBIT, FLIGHT, RIDE }
+## Where the eye keeps looking on a ride.
+enum Gaze { FREE, HOLE, AWAY }
 
 ## Radians per second at full deflection: going round the hole, turning the head, rolling it.
 const ORBIT_SPEED: float = 0.9
@@ -35,6 +38,11 @@ var mode: Mode = Mode.ORBIT:
 		if mode != value:
 			mode = value
 			mode_changed.emit(mode)
+## Where the eye looks on a ride, and the direction in which the middle of the hole is then seen.
+var gaze: Gaze = Gaze.FREE
+var hole_direction := Vector3.FORWARD
+## While false keys and sticks do not steer; the mouse does.
+var keys_listening: bool = true
 ## While false nothing steers the eye, and it comes to rest.
 var listening: bool = true:
 	set(value):
@@ -80,8 +88,15 @@ func reset() -> void:
 	_show()
 
 
+## Between going round and flying; on a ride between looking freely, at the hole and away from it.
 func toggle_mode() -> void:
-	mode = Mode.FLIGHT if mode == Mode.ORBIT else Mode.ORBIT
+	match mode:
+		Mode.ORBIT:
+			mode = Mode.FLIGHT
+		Mode.FLIGHT:
+			mode = Mode.ORBIT
+		Mode.RIDE:
+			gaze = ((gaze + 1) % Gaze.size()) as Gaze
 
 
 ## Lets `seconds` pass.
@@ -89,7 +104,7 @@ func advance(seconds: float) -> void:
 	var orbit_rate := Vector3.ZERO
 	var turn_rate := Vector3.ZERO
 	var flight_rate := Vector3.ZERO
-	if listening:
+	if listening and keys_listening:
 		var speed := FAST if Input.is_action_pressed(&"fly_fast") else 1.0
 		turn_rate.z = Input.get_axis(&"roll_left", &"roll_right") * ROLL_SPEED
 		if mode == Mode.ORBIT:
@@ -98,16 +113,35 @@ func advance(seconds: float) -> void:
 			var look := Input.get_vector(&"look_left", &"look_right", &"look_down", &"look_up")
 			turn_rate.x = look.x * TURN_SPEED
 			turn_rate.y = look.y * TURN_SPEED
-			flight_rate = _asked_flight() * (FLIGHT_SPEED * speed)
+			if mode == Mode.FLIGHT:
+				flight_rate = asked_flight() * (FLIGHT_SPEED * speed)
 	var round_hole := _orbiting.advance(orbit_rate, seconds) + _drag_orbit.advance(seconds)
 	var head := _turning.advance(turn_rate, seconds) + _drag_turn.advance(seconds)
-	rig.orbit(round_hole.x, round_hole.y)
-	rig.approach(round_hole.z)
-	rig.turn(head.x, head.y, head.z)
-	rig.fly(_flying.advance(flight_rate, seconds))
-	if mode == Mode.ORBIT:
-		rig.face_hole(1.0 - exp(-seconds / FACING_SETTLING))
+	var flown := _flying.advance(flight_rate, seconds)
+	if mode == Mode.RIDE:
+		rig.turn(head.x, head.y, head.z)
+	else:
+		rig.orbit(round_hole.x, round_hole.y)
+		rig.approach(round_hole.z)
+		rig.turn(head.x, head.y, head.z)
+		rig.fly(flown)
+	_face(1.0 - exp(-seconds / FACING_SETTLING))
 	_show()
+
+
+## Where the keys and the stick ask to fly, in the eye's axes; length 0 to 1.
+func asked_flight() -> Vector3:
+	if not (listening and keys_listening):
+		return Vector3.ZERO
+	var level := Input.get_vector(&"fly_left", &"fly_right", &"fly_forward", &"fly_back")
+	return Vector3(level.x, Input.get_axis(&"fly_down", &"fly_up"), level.y).limit_length()
+
+
+func _face(fraction: float) -> void:
+	if mode == Mode.ORBIT:
+		rig.face_hole(fraction)
+	elif mode == Mode.RIDE and gaze != Gaze.FREE:
+		rig.face(hole_direction if gaze == Gaze.HOLE else -hole_direction, fraction)
 
 
 func _asked_orbit() -> Vector3:
@@ -118,11 +152,6 @@ func _asked_orbit() -> Vector3:
 	)
 	var both := (stick + Vector2(sideways, 0.0)).limit_length() * ORBIT_SPEED
 	return Vector3(both.x, both.y, clampf(nearer, -1.0, 1.0) * APPROACH_SPEED)
-
-
-func _asked_flight() -> Vector3:
-	var level := Input.get_vector(&"fly_left", &"fly_right", &"fly_forward", &"fly_back")
-	return Vector3(level.x, Input.get_axis(&"fly_down", &"fly_up"), level.y).limit_length()
 
 
 func _drag(relative: Vector2) -> void:

@@ -53,6 +53,11 @@ func get_transform(schwarzschild_radius: float) -> Transform3D:
 	return Transform3D(Basis(_orientation), _position * schwarzschild_radius)
 
 
+## Puts the eye elsewhere; it stays turned as it is.
+func move_to(position: Vector3) -> void:
+	_set_position(position)
+
+
 ## Goes round the hole, keeping the distance and the side that is shown to it.
 func orbit(to_the_right: float, upwards: float) -> void:
 	var axis := _orientation * Vector3(-upwards, to_the_right, 0.0)
@@ -97,10 +102,14 @@ func fly(flight: Vector3) -> void:
 
 ## Turns the eye by a `fraction` (0 to 1) of the angle that it looks away from the hole.
 func face_hole(fraction: float) -> void:
+	face(-_position.normalized(), fraction)
+
+
+## Turns the eye by a `fraction` (0 to 1) of the angle that it looks away from a direction.
+func face(direction: Vector3, fraction: float) -> void:
 	var forward := _orientation * Vector3.FORWARD
-	var inward := -_position.normalized()
-	var axis := forward.cross(inward)
-	var angle := atan2(axis.length(), forward.dot(inward))
+	var axis := forward.cross(direction)
+	var angle := atan2(axis.length(), forward.dot(direction))
 	if angle < 1e-6:
 		return
 	if axis.length() < 1e-6:

@@ -1,12 +1,11 @@
 # SPDX-License-Identifier: MIT
 class_name SkySwitches
 extends Node
-## What a visitor can switch: the hole, the observer, the background, the images, the exposure.
+## What a visitor can switch: the hole, the background, the images, the exposure.
 
 ## A wish that cannot be granted, or a change that nobody asked for.
 signal warned(topic: StringName, text: String)
 
-const OBSERVER: StringName = &"observer"
 const BACKGROUND: StringName = &"background"
 ## Seconds in which the hole comes or goes.
 const LENSING_SECONDS: float = 2.0
@@ -20,47 +19,26 @@ var _tween: Tween
 var _hole_wanted: bool = true
 
 
-## A static observer needs to be outside the horizon of the hole as it is now. `distance` in
-## Schwarzschild radii of the full mass; `mass_fraction` is BlackHoleSky.lensing.
-static func can_be_static(distance: float, mass_fraction: float) -> bool:
-	return distance > mass_fraction
-
-
 func is_hole_wanted() -> bool:
 	return _hole_wanted
 
 
 ## Lets the hole's mass grow from nothing, or shrink to nothing, before the visitor's eyes.
 func toggle_lensing() -> void:
-	_hole_wanted = not _hole_wanted
+	want_hole(not _hole_wanted)
+
+
+## Lets the hole come or go, if it is not so already.
+func want_hole(wanted: bool) -> void:
+	if wanted == _hole_wanted:
+		return
+	_hole_wanted = wanted
 	if _tween != null:
 		_tween.kill()
 	var target := 1.0 if _hole_wanted else 0.0
 	var seconds := LENSING_SECONDS * absf(target - sky.lensing)
 	_tween = create_tween().set_trans(Tween.TRANS_SINE).set_ease(Tween.EASE_IN_OUT)
 	_tween.tween_property(sky, ^"lensing", target, seconds)
-
-
-## Changes between static and rain; refuses static at or inside the horizon.
-func next_observer(distance: float) -> void:
-	if sky.observer_motion == LensingTable.MOTION_STATIC:
-		sky.observer_motion = LensingTable.MOTION_RAIN
-	elif can_be_static(distance, sky.lensing):
-		sky.observer_motion = LensingTable.MOTION_STATIC
-	else:
-		warned.emit(
-			OBSERVER, tr("Nothing can hover at or inside the horizon: you stay in free fall.")
-		)
-
-
-## Turns a static observer who has come to the horizon to rain.
-func watch_observer(distance: float) -> void:
-	if sky.observer_motion != LensingTable.MOTION_STATIC:
-		return
-	if can_be_static(distance, sky.lensing):
-		return
-	sky.observer_motion = LensingTable.MOTION_RAIN
-	warned.emit(OBSERVER, tr("Nothing can hover at or inside the horizon: you fall freely now."))
 
 
 ## None, grid, Milky Way, and round again; leaves out a panorama that is not there.
