@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 class_name ShotSpec
 extends RefCounted
-## One still to be taken: what is where, who looks, how it is drawn.
+## A still or a sequence to be taken: what is where, who looks, how it is drawn.
 ##
 ## Read from JSON. The schema beside this file says which keys there are, their types and ranges;
 ## here is checked what a schema cannot say. What is refused is refused by name. Positions are in
@@ -26,17 +26,18 @@ const NOT_YET: PackedStringArray = [
 	"exposure.auto",
 	"psf",
 	"overlays",
-	"path",
 ]
+const VERTICAL_FOV_DEG: float = 60.0
+const UPWARD: PackedFloat64Array = [0.0, 1.0, 0.0]
 
 var resolution := Vector2i(1280, 720)
-var vertical_fov_deg: float = 60.0
+var vertical_fov_deg: float = VERTICAL_FOV_DEG
 var projection: BlackHoleSky.Projection = BlackHoleSky.PROJECTION_PERSPECTIVE
 ## Where the eye is, in double precision.
 var position: PackedFloat64Array = [0.0, 0.0, 10.0]
 ## Viewing direction and the picture's upward direction, unit vectors, in double precision.
 var forward: PackedFloat64Array = [0.0, 0.0, -1.0]
-var up: PackedFloat64Array = [0.0, 1.0, 0.0]
+var up: PackedFloat64Array = UPWARD
 ## How the eye moves.
 var observer := ShotObserver.new()
 var renderer: String = "mobile"
@@ -53,6 +54,8 @@ var exposure_ev: float = 0.0
 var effects := ShotEffects.new()
 var background: Background = Background.NONE
 var background_file: String = ""
+## Of a sequence: its frames; the spec is that of the frame last gone to. Null for a still.
+var path: ShotPath
 ## Why the shot was refused; empty when it is fine.
 var error: String = ""
 
@@ -87,19 +90,23 @@ static func from_data(data: Variant, folders: PackedStringArray = []) -> ShotSpe
 	return spec
 
 
+## Puts the eye where a sequence has it in a frame, from 0 on.
+func go_to(frame: int) -> void:
+	_read_pose(path.pose(frame))
+	if not error.is_empty():
+		error = path.fault(frame, error)
+
+
 func _read(data: Dictionary) -> void:
 	var size: PackedInt32Array = data.get("resolution", [resolution.x, resolution.y])
 	resolution = Vector2i(size[0], size[1])
-	vertical_fov_deg = data.get("vertical_fov_deg", vertical_fov_deg)
-	position = data.get("position_rs", position)
 	projection = PROJECTIONS.find(data.get("projection", PROJECTIONS[0])) as BlackHoleSky.Projection
 	renderer = data.get("renderer", renderer)
 	renderer_named = data.has("renderer")
-	_check_place()
-	if error.is_empty():
-		_read_observer(data)
-	if error.is_empty():
-		_read_aim(data)
+	if data.has("path"):
+		_read_path(data)
+	else:
+		_read_pose(data)
 	if error.is_empty():
 		_read_stars(data)
 	if error.is_empty():
@@ -108,6 +115,28 @@ func _read(data: Dictionary) -> void:
 		effects = ShotEffects.from_data(data.get("effects", {}))
 		_read_exposure(data)
 		_refuse_unbuilt(data)
+
+
+func _read_path(data: Dictionary) -> void:
+	path = ShotPath.from_data(data)
+	error = path.error
+	if not error.is_empty():
+		return
+	for frame in path.frame_count:
+		go_to(frame)
+		if not error.is_empty():
+			return
+	go_to(0)
+
+
+func _read_pose(data: Dictionary) -> void:
+	vertical_fov_deg = data.get("vertical_fov_deg", vertical_fov_deg)
+	position = data.get("position_rs", position)
+	_check_place()
+	if error.is_empty():
+		_read_observer(data)
+	if error.is_empty():
+		_read_aim(data)
 
 
 func _check_place() -> void:
@@ -125,7 +154,7 @@ func _read_observer(data: Dictionary) -> void:
 
 func _read_aim(data: Dictionary) -> void:
 	var target: PackedFloat64Array = data.get("look_at_rs", [0.0, 0.0, 0.0])
-	var upward: PackedFloat64Array = data.get("up", up)
+	var upward: PackedFloat64Array = data.get("up", UPWARD)
 	forward = Vec3D.subtract(target, position)
 	# Radial motions leave the hole where it is, in double precision.
 	if data.get("aim", "axes") == "apparent" and not observer.is_radial():
