@@ -69,12 +69,12 @@ func _take(spec: ShotSpec, out: String) -> void:
 		reason = "renderer: asked for %s, running %s." % [spec.renderer, method]
 	if reason.is_empty():
 		reason = output.refusal(spec, method)
-	var frame_count := spec.path.frame_count if spec.path != null else 1
+	var frame_count := spec.sequence.frame_count if spec.sequence != null else 1
 	var frame := 0
 	while reason.is_empty() and frame < frame_count:
 		reason = await _draw(spec, output, frame)
 		frame += 1
-		if spec.path != null and reason.is_empty():
+		if spec.sequence != null and reason.is_empty():
 			# ./run capture shows this as its progress.
 			print("capture frame %d/%d" % [frame, frame_count])
 	if not reason.is_empty():

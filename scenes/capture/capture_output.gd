@@ -36,12 +36,12 @@ func refusal(spec: ShotSpec, renderer: String) -> String:
 		return "movies are put together by ./run capture; here take a folder (OUT/) for the frames."
 	if kind != "png" and kind != "exr":
 		return "the output must end in .png or .exr, or for a sequence be a folder (OUT/)."
-	if spec.path != null and not is_sequence:
+	if spec.sequence != null and not is_sequence:
 		return (
 			"the shot is a sequence (path), this is one picture; "
 			+ "take a folder (OUT/), a name such as %s, or a movie." % FRAME_NAME
 		)
-	if spec.path == null and is_sequence:
+	if spec.sequence == null and is_sequence:
 		return "a folder and numbered frames are for sequences; the shot has no path."
 	if kind == "exr" and renderer != "forward_plus":
 		var text := "renderer: scene-linear .exr needs forward_plus; %s rounds too coarsely."

@@ -55,7 +55,7 @@ var effects := ShotEffects.new()
 var background: Background = Background.NONE
 var background_file: String = ""
 ## Of a sequence: its frames; the spec is that of the frame last gone to. Null for a still.
-var path: ShotPath
+var sequence: ShotPath
 ## Why the shot was refused; empty when it is fine.
 var error: String = ""
 
@@ -92,9 +92,9 @@ static func from_data(data: Variant, folders: PackedStringArray = []) -> ShotSpe
 
 ## Puts the eye where a sequence has it in a frame, from 0 on.
 func go_to(frame: int) -> void:
-	_read_pose(path.pose(frame))
+	_read_pose(sequence.pose(frame))
 	if not error.is_empty():
-		error = path.fault(frame, error)
+		error = sequence.fault(frame, error)
 
 
 func _read(data: Dictionary) -> void:
@@ -118,11 +118,11 @@ func _read(data: Dictionary) -> void:
 
 
 func _read_path(data: Dictionary) -> void:
-	path = ShotPath.from_data(data)
-	error = path.error
+	sequence = ShotPath.from_data(data)
+	error = sequence.error
 	if not error.is_empty():
 		return
-	for frame in path.frame_count:
+	for frame in sequence.frame_count:
 		go_to(frame)
 		if not error.is_empty():
 			return
