@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 extends SceneTree
-## Command line: renders stills described in JSON.
+## Command line: renders stills and sequences described in JSON.
 ##
-##     godot --path . -s res://scenes/capture/capture.gd -- SHOT.json OUT.png|OUT.exr
+##     godot --path . -s res://scenes/capture/capture.gd -- SHOT.json OUT.png|OUT.exr|OUT/
 ##     godot --path . -s res://scenes/capture/capture.gd -- --batch LIST.json
 ##
 ## LIST.json holds a list of {"shot": FILE or object, "out": FILE}. Exits 0 when every picture was
@@ -28,7 +28,9 @@ func _run() -> void:
 	elif arguments.size() == 2:
 		await _take(ShotSpec.from_file(arguments[0], _caller_folder()), arguments[1])
 	else:
-		printerr("capture: give SHOT.json and an output file (.png or .exr), or --batch LIST.json.")
+		printerr(
+			"capture: give SHOT.json and an output (.png, .exr or OUT/), or --batch LIST.json."
+		)
 		quit(2)
 		return
 	quit(1 if _failures > 0 else 0)
@@ -60,36 +62,42 @@ func _take_list(list_path: String) -> void:
 
 
 func _take(spec: ShotSpec, out: String) -> void:
-	var kind := out.get_extension().to_lower()
-	if not spec.error.is_empty():
-		_fail(out, spec.error)
-		return
-	if kind != "png" and kind != "exr":
-		_fail(out, "the output must end in .png or .exr.")
-		return
+	var output := CaptureOutput.new(out)
 	var method := RenderingServer.get_current_rendering_method()
-	if spec.renderer_named and method != spec.renderer:
-		_fail(out, "renderer: asked for %s, running %s." % [spec.renderer, method])
-		return
-	if kind == "exr" and method != "forward_plus":
-		_fail(
-			out, "renderer: scene-linear .exr needs forward_plus; %s rounds too coarsely." % method
-		)
-		return
-	var refusal: PackedStringArray = []
-	var picture: Image = await _stage.take(spec, refusal)
-	if picture == null:
-		_fail(out, refusal[0])
-		return
-	DirAccess.make_dir_recursive_absolute(out.get_base_dir())
-	var status: Error
-	if kind == "exr":
-		status = picture.save_exr(out)
+	var reason := spec.error
+	if reason.is_empty() and spec.renderer_named and method != spec.renderer:
+		reason = "renderer: asked for %s, running %s." % [spec.renderer, method]
+	if reason.is_empty():
+		reason = output.refusal(spec, method)
+	var frame_count := spec.sequence.frame_count if spec.sequence != null else 1
+	var frame := 0
+	while reason.is_empty() and frame < frame_count:
+		reason = await _draw(spec, output, frame)
+		frame += 1
+		if spec.sequence != null and reason.is_empty():
+			# ./run capture shows this as its progress.
+			print("capture frame %d/%d" % [frame, frame_count])
+	if not reason.is_empty():
+		_fail(out, reason)
+
+
+## Draws and writes a still or a frame; returns why it could not.
+func _draw(spec: ShotSpec, output: CaptureOutput, frame: int) -> String:
+	var picture: Image
+	if frame == 0:
+		var refusal: PackedStringArray = []
+		picture = await _stage.take(spec, refusal)
+		if picture == null:
+			return refusal[0]
 	else:
+		spec.go_to(frame)
+		picture = await _stage.take_next(spec)
+	if output.kind == "png":
 		picture = await _encoder.encode(picture)
-		status = picture.save_png(out)
-	if status != OK:
-		_fail(out, "cannot be written (%s). Check folder and disk." % error_string(status))
+	var status := output.write(picture, frame)
+	if status == OK:
+		return ""
+	return "cannot be written (%s). Check folder and disk." % error_string(status)
 
 
 func _caller_folder() -> String:

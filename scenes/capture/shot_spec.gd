@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 class_name ShotSpec
 extends RefCounted
-## One still to be taken: what is where, who looks, how it is drawn.
+## A still or a sequence to be taken: what is where, who looks, how it is drawn.
 ##
 ## Read from JSON. The schema beside this file says which keys there are, their types and ranges;
 ## here is checked what a schema cannot say. What is refused is refused by name. Positions are in
@@ -32,20 +32,17 @@ const PROJECTIONS: PackedStringArray = [
 	"fisheye_220",
 	"fisheye_360",
 ]
-## What the schema lets in and nobody draws yet.
-const NOT_YET: PackedStringArray = [
-	"exposure.auto",
-	"path",
-]
+const VERTICAL_FOV_DEG: float = 60.0
+const UPWARD: PackedFloat64Array = [0.0, 1.0, 0.0]
 
 var resolution := Vector2i(1280, 720)
-var vertical_fov_deg: float = 60.0
+var vertical_fov_deg: float = VERTICAL_FOV_DEG
 var projection: BlackHoleSky.Projection = BlackHoleSky.PROJECTION_PERSPECTIVE
 ## Where the eye is, in double precision.
 var position: PackedFloat64Array = [0.0, 0.0, 10.0]
 ## Viewing direction and the picture's upward direction, unit vectors, in double precision.
 var forward: PackedFloat64Array = [0.0, 0.0, -1.0]
-var up: PackedFloat64Array = [0.0, 1.0, 0.0]
+var up: PackedFloat64Array = UPWARD
 ## How the eye moves.
 var observer := ShotObserver.new()
 var renderer: String = "mobile"
@@ -66,6 +63,8 @@ var overlays: int = 0
 var star_names: bool = false
 var background: Background = Background.NONE
 var background_file: String = ""
+## Of a sequence: its frames; the spec is that of the frame last gone to. Null for a still.
+var sequence: ShotPath
 ## Why the shot was refused; empty when it is fine.
 var error: String = ""
 
@@ -100,19 +99,23 @@ static func from_data(data: Variant, folders: PackedStringArray = []) -> ShotSpe
 	return spec
 
 
+## Puts the eye where a sequence has it in a frame, from 0 on.
+func go_to(frame: int) -> void:
+	_read_pose(sequence.pose(frame))
+	if not error.is_empty():
+		error = sequence.fault(frame, error)
+
+
 func _read(data: Dictionary) -> void:
 	var size: PackedInt32Array = data.get("resolution", [resolution.x, resolution.y])
 	resolution = Vector2i(size[0], size[1])
-	vertical_fov_deg = data.get("vertical_fov_deg", vertical_fov_deg)
-	position = data.get("position_rs", position)
 	projection = PROJECTIONS.find(data.get("projection", PROJECTIONS[0])) as BlackHoleSky.Projection
 	renderer = data.get("renderer", renderer)
 	renderer_named = data.has("renderer")
-	_check_place()
-	if error.is_empty():
-		_read_observer(data)
-	if error.is_empty():
-		_read_aim(data)
+	if data.has("path"):
+		_read_path(data)
+	else:
+		_read_pose(data)
 	if error.is_empty():
 		_read_stars(data)
 	if error.is_empty():
@@ -120,13 +123,30 @@ func _read(data: Dictionary) -> void:
 	if error.is_empty():
 		effects = ShotEffects.from_data(data.get("effects", {}))
 		point_spread = ShotPointSpread.from_data(data.get("psf", {"sigma_px": psf_sigma_px}))
-		_read_exposure(data)
-		for name: String in data.get("overlays", []):
-			if name == "star_names":
-				star_names = true
-			else:
-				overlays |= 1 << OVERLAYS.find(name)
-		_refuse_unbuilt(data)
+		exposure_ev = data.get("exposure", exposure_ev)
+		_read_overlays(data.get("overlays", []))
+
+
+func _read_path(data: Dictionary) -> void:
+	sequence = ShotPath.from_data(data)
+	error = sequence.error
+	if not error.is_empty():
+		return
+	for frame in sequence.frame_count:
+		go_to(frame)
+		if not error.is_empty():
+			return
+	go_to(0)
+
+
+func _read_pose(data: Dictionary) -> void:
+	vertical_fov_deg = data.get("vertical_fov_deg", vertical_fov_deg)
+	position = data.get("position_rs", position)
+	_check_place()
+	if error.is_empty():
+		_read_observer(data)
+	if error.is_empty():
+		_read_aim(data)
 
 
 func _check_place() -> void:
@@ -144,7 +164,7 @@ func _read_observer(data: Dictionary) -> void:
 
 func _read_aim(data: Dictionary) -> void:
 	var target: PackedFloat64Array = data.get("look_at_rs", [0.0, 0.0, 0.0])
-	var upward: PackedFloat64Array = data.get("up", up)
+	var upward: PackedFloat64Array = data.get("up", UPWARD)
 	forward = Vec3D.subtract(target, position)
 	# Radial motions leave the hole where it is, in double precision.
 	if data.get("aim", "axes") == "apparent" and not observer.is_radial():
@@ -184,10 +204,12 @@ func _read_background(data: Dictionary) -> void:
 		background_file = _find_file(source, "background")
 
 
-func _read_exposure(data: Dictionary) -> void:
-	var exposure: Variant = data.get("exposure", exposure_ev)
-	if exposure is not String:
-		exposure_ev = exposure
+func _read_overlays(names: Array) -> void:
+	for name: String in names:
+		if name == "star_names":
+			star_names = true
+		else:
+			overlays |= 1 << OVERLAYS.find(name)
 
 
 func _find_file(path: String, key: String) -> String:
@@ -195,11 +217,3 @@ func _find_file(path: String, key: String) -> String:
 	if found.is_empty():
 		error = "%s: there is no file %s." % [key, path]
 	return found
-
-
-func _refuse_unbuilt(data: Dictionary) -> void:
-	for name in NOT_YET:
-		var part := name.get_slice(".", 1)
-		if data.has(name) or str(data.get(name.get_slice(".", 0))) == part:
-			error = "%s is not built yet." % name
-			return

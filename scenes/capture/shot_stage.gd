@@ -47,8 +47,19 @@ func take(spec: ShotSpec, refusal: PackedStringArray) -> Image:
 	if not _dress(spec, refusal):
 		return null
 	_viewport.size = spec.resolution
+	return await _draw(spec, WARM_UP_FRAMES)
+
+
+## Takes the next picture of a sequence, whose first take() has taken: the same sky from elsewhere.
+func take_next(spec: ShotSpec) -> Image:
+	return await _draw(spec, 1)
+
+
+func _draw(spec: ShotSpec, frames: int) -> Image:
+	# Without the hole the eye is at rest.
+	_sky.observer = spec.observer.to_sky_observer() if spec.lensing else null
 	_aim(spec)
-	for frame in WARM_UP_FRAMES:
+	for frame in frames:
 		_viewport.render_target_update_mode = SubViewport.UPDATE_ONCE
 		await RenderingServer.frame_post_draw
 	return _viewport.get_texture().get_image()
@@ -77,8 +88,6 @@ func _dress(spec: ShotSpec, refusal: PackedStringArray) -> bool:
 	_sky.lensing = 1.0 if spec.lensing else 0.0
 	spec.point_spread.apply_to(_sky)
 	_sky.exposure = spec.exposure_ev
-	# Without the hole the eye is at rest.
-	_sky.observer = spec.observer.to_sky_observer() if spec.lensing else null
 	spec.effects.apply_to(_sky)
 	_sky.projection = spec.projection
 	_sky.overlays = spec.overlays

@@ -13,6 +13,10 @@ static func dot(a: PackedFloat64Array, b: PackedFloat64Array) -> float:
 	return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
+static func add(a: PackedFloat64Array, b: PackedFloat64Array) -> PackedFloat64Array:
+	return [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
+
+
 static func subtract(a: PackedFloat64Array, b: PackedFloat64Array) -> PackedFloat64Array:
 	return [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 
@@ -27,6 +31,11 @@ static func cross(a: PackedFloat64Array, b: PackedFloat64Array) -> PackedFloat64
 
 static func normalized(a: PackedFloat64Array) -> PackedFloat64Array:
 	return scaled(a, 1.0 / length(a))
+
+
+## What is left of a vector without its part along a direction, a unit vector.
+static func part_across(a: PackedFloat64Array, direction: PackedFloat64Array) -> PackedFloat64Array:
+	return subtract(a, scaled(direction, dot(a, direction)))
 
 
 ## Sine of the angle between two vectors.

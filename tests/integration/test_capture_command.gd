@@ -39,6 +39,25 @@ func test_a_list_says_what_is_wrong_with_each_shot() -> void:
 		assert_file_does_not_exist(_folder.file(picture))
 
 
+func test_sequences_and_stills_each_to_their_kind_of_output() -> void:
+	var path := {"fps": 2, "duration_s": 1, "ride": {"kind": "fall", "from_rs": 3}}
+	var list: Array = [
+		{"shot": {"path": path}, "out": "still.png"},
+		{"shot": {"position_rs": [0, 0, 5]}, "out": "frames/"},
+		{"shot": {"path": path}, "out": "movie.mp4"},
+	]
+	var file := _folder.write_text("list.json", JSON.stringify(list))
+	var said: Array = []
+	assert_eq(_run(["--batch", ProjectSettings.globalize_path(file)], said), 1)
+	for words: String in [
+		"still.png: the shot is a sequence (path), this is one picture",
+		"frames/: a folder and numbered frames are for sequences",
+		"movie.mp4: movies are put together by ./run capture",
+	]:
+		assert_string_contains(said[0], words)
+	assert_eq(DirAccess.get_files_at(_folder.path), PackedStringArray(["list.json"]))
+
+
 func test_a_list_that_is_none() -> void:
 	var said: Array = []
 	var path := ProjectSettings.globalize_path(_folder.write_text("list.json", "{}"))

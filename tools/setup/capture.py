@@ -1,24 +1,30 @@
 # SPDX-License-Identifier: MIT
-"""./run capture: one still picture, or a list of them, drawn without a visible window."""
+"""./run capture: stills and sequences, one or a list of them, drawn without a visible window."""
 
 from __future__ import annotations
 
 import json
+import re
 import tempfile
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-from setup import prepare, session
-from setup.console import Failure
+from setup import frames, movie, prepare, session
+from setup.console import Failure, Pace, Progress, note
 from setup.godot import Godot
 
 SCRIPT = "res://scenes/capture/capture.gd"
-USAGE = "usage: ./run capture SHOT.json OUT.png|OUT.exr\n       ./run capture --batch LIST.json"
+USAGE = """usage: ./run capture SHOT.json OUT.png|OUT.exr
+       ./run capture SEQUENCE.json OUT/|OUT_%04d.png|OUT_%04d.exr|OUT.mp4|OUT.webm|OUT.avi
+       ./run capture --batch LIST.json"""
+_FRAME = re.compile(r"capture frame (\d+)/(\d+)")
 
 
 @dataclass(frozen=True)
 class Job:
-    """One picture: its description, a file or the object itself, and the file to write; paths are absolute."""
+    """One still or sequence: its description, a file or the object itself, and the file, the frames (a pattern) or
+    the movie to write; paths are absolute."""
 
     shot: Path | dict[str, object]
     out: Path
@@ -27,6 +33,8 @@ class Job:
 def run(arguments: list[str]) -> int:
     """The subcommand; returns the exit status."""
     jobs, base = _jobs(arguments)
+    for job in jobs:
+        _check_movie(job)
     grouped: dict[str, list[Job]] = {}
     for job in jobs:
         grouped.setdefault(renderer_of(job), []).append(job)
@@ -49,11 +57,25 @@ def renderer_of(job: Job) -> str:
 
     A name that does not exist is left to the capture scene, which refuses it by name.
     """
-    shot = _read_json(job.shot) if isinstance(job.shot, Path) else job.shot
-    named = shot.get("renderer") if isinstance(shot, dict) else None
+    named = _shot(job).get("renderer")
     if named in session.RENDERERS:
         return str(named)
     return "forward_plus" if named is None and job.out.suffix == ".exr" else "mobile"
+
+
+def _shot(job: Job) -> dict[str, object]:
+    """What the shot says; empty when it is no object, which the capture scene refuses by name."""
+    shot = _read_json(job.shot) if isinstance(job.shot, Path) else job.shot
+    return shot if isinstance(shot, dict) else {}
+
+
+def _check_movie(job: Job) -> None:
+    """A movie that cannot be written is refused before anything is drawn."""
+    if not frames.is_movie(job.out):
+        return
+    if "path" not in _shot(job):
+        raise Failure(f"capture: {job.out.name}: a movie takes a sequence, and the shot has no path")
+    movie.encoders(job.out)
 
 
 def _jobs(arguments: list[str]) -> tuple[list[Job], Path]:
@@ -61,7 +83,7 @@ def _jobs(arguments: list[str]) -> tuple[list[Job], Path]:
     if len(arguments) == 2 and arguments[0] == "--batch":
         return _batch(Path(arguments[1]))
     if len(arguments) == 2 and not arguments[0].startswith("-"):
-        return [Job(Path(arguments[0]).absolute(), Path(arguments[1]).absolute())], Path.cwd()
+        return [Job(Path(arguments[0]).absolute(), frames.named(Path.cwd(), arguments[1]))], Path.cwd()
     raise Failure(USAGE, 2)
 
 
@@ -78,7 +100,7 @@ def _batch(path: Path) -> tuple[list[Job], Path]:
         shot, out = entry["shot"], entry["out"]
         if not isinstance(shot, (str, dict)) or not isinstance(out, str):
             raise Failure(f'capture: entry {number} of {path}: "shot" must be a path or an object, "out" a path')
-        jobs.append(Job(folder / shot if isinstance(shot, str) else shot, folder / out))
+        jobs.append(Job(folder / shot if isinstance(shot, str) else shot, frames.named(folder, out)))
     inline = any(isinstance(job.shot, dict) for job in jobs)
     return jobs, folder if inline else Path.cwd()
 
@@ -98,14 +120,56 @@ def _written(path: Path) -> int | None:
 
 
 def _draw(godot: Godot, renderer: str, group: list[Job], base: Path) -> None:
-    before = [_written(job.out) for job in group]
-    if len(group) == 1 and isinstance(group[0].shot, Path):
-        session.run_script(godot, SCRIPT, renderer, [str(group[0].shot), str(group[0].out)], base)
-    else:
-        with tempfile.NamedTemporaryFile("w", suffix=".json", encoding="utf-8") as listed:
-            json.dump([{"shot": job.shot, "out": job.out} for job in group], listed, default=str)
-            listed.flush()
-            session.run_script(godot, SCRIPT, renderer, ["--batch", listed.name], base)
+    for job in group:
+        if frames.is_movie(job.out):
+            frames.remove(frames.drawn(job.out))
+    before = [_written(frames.first(job.out)) for job in group]
+    progress, pace = Progress("frame"), Pace("frames")
+
+    def show(line: str) -> None:
+        found = _FRAME.fullmatch(line)
+        if found:
+            done, total = int(found[1]), int(found[2])
+            progress.update(done, total, pace.words(done, total))
+
+    watch = show if any("path" in _shot(job) for job in group) else None
+    try:
+        _run_scene(godot, renderer, group, base, watch)
+    except KeyboardInterrupt:
+        progress.close()
+        for job in group:
+            _say_what_is_left(job)
+        raise
+    finally:
+        progress.close()
     for job, old in zip(group, before):
-        if _written(job.out) in (None, old):
-            raise Failure(f"capture: Godot ended without an error but did not write {job.out}")
+        first = frames.first(job.out)
+        if _written(first) in (None, old):
+            raise Failure(f"capture: Godot ended without an error but did not write {first}")
+        if frames.is_movie(job.out):
+            path = _shot(job)["path"]
+            movie.write(frames.drawn(job.out), float(path["fps"]), job.out)  # type: ignore[index]
+            frames.remove(frames.drawn(job.out))
+
+
+def _run_scene(
+    godot: Godot, renderer: str, group: list[Job], base: Path, watch: Callable[[str], None] | None,
+) -> None:
+    listed = [{"shot": job.shot, "out": frames.drawn(job.out)} for job in group]
+    if len(group) == 1 and isinstance(group[0].shot, Path):
+        arguments = [str(listed[0]["shot"]), str(listed[0]["out"])]
+        session.run_script(godot, SCRIPT, renderer, arguments, base, watch)
+        return
+    with tempfile.NamedTemporaryFile("w", suffix=".json", encoding="utf-8") as file:
+        json.dump(listed, file, default=str)
+        file.flush()
+        session.run_script(godot, SCRIPT, renderer, ["--batch", file.name], base, watch)
+
+
+def _say_what_is_left(job: Job) -> None:
+    """After an interruption: the frames that are complete stay."""
+    if "path" not in _shot(job):
+        return
+    pattern = frames.drawn(job.out)
+    frames.remove_half_written(pattern)
+    note(f"stopped: {len(frames.written(pattern))} complete frames are in {pattern.parent}")

@@ -112,7 +112,7 @@ def _help(_arguments: list[str]) -> int:
 
 SUBCOMMANDS = {
     "demo": Subcommand("open the black hole and its sky (the default); without a display: draw one picture", _demo),
-    "capture": Subcommand("draw stills without a window: SHOT.json OUT.png|exr, or --batch LIST.json", capture.run),
+    "capture": Subcommand("draw stills and sequences without a window: SHOT.json OUT, or --batch LIST.json; see docs/capture.md", capture.run),
     "bake": Subcommand("compute the lensing tables into lut/; --check computes and compares", _bake),
     "lut": Subcommand("the table tool: bake, inspect, verify, eval; see ./run lut --help", _lut),
     "bench": Subcommand("measure and print a table: [OUT.json] [--renderer mobile|forward_plus|gl_compatibility] [--scale]",

@@ -4,6 +4,8 @@
 from __future__ import annotations
 
 import sys
+import time
+from collections.abc import Callable
 from pathlib import Path
 
 
@@ -34,16 +36,16 @@ class Progress:
         self._tenth = -1
         self._open = False
 
-    def update(self, done: int, total: int = 0) -> None:
-        """Shows that `done` of `total` pieces are ready."""
+    def update(self, done: int, total: int = 0, remark: str = "") -> None:
+        """Shows that `done` of `total` pieces are ready; the remark follows."""
         self._total = total or self._total
         if self._total <= 0:
             return
-        line = f"    {self._label} {done}/{self._total}"
+        line = f"    {self._label} {done}/{self._total}{remark and f', {remark}'}"
         if sys.stderr.isatty():
             print(f"\r{line}\033[K", end="", file=sys.stderr, flush=True)
             self._open = True
-        elif done * 10 // self._total > self._tenth:
+        elif done * 10 // self._total != self._tenth:
             self._tenth = done * 10 // self._total
             print(line, file=sys.stderr, flush=True)
 
@@ -52,6 +54,25 @@ class Progress:
         if self._open:
             print(file=sys.stderr, flush=True)
             self._open = False
+
+
+class Pace:
+    """How fast pieces come and when the last will, in words."""
+
+    def __init__(self, unit: str, clock: Callable[[], float] = time.monotonic) -> None:
+        self._unit = unit
+        self._clock = clock
+        self._first: tuple[float, int] | None = None
+
+    def words(self, done: int, total: int) -> str:
+        """After `done` of `total` pieces; empty after the first, whose time says little about the others'."""
+        now = self._clock()
+        if self._first is None or done <= self._first[1]:
+            self._first = (now, done)
+            return ""
+        rate = (done - self._first[1]) / max(now - self._first[0], 1e-6)
+        left = round((total - done) / rate)
+        return f"{rate:.1f} {self._unit}/s, {left // 60}:{left % 60:02} min left"
 
 
 def tail(log: Path, lines: int = 30) -> str:

@@ -7,6 +7,7 @@ import os
 import re
 import subprocess
 import tempfile
+from collections.abc import Callable
 from pathlib import Path
 
 from setup import display, paths, process
@@ -38,10 +39,14 @@ def script_command(godot: Godot, script: str, renderer: str, arguments: list[str
     ])
 
 
-def run_script(godot: Godot, script: str, renderer: str, arguments: list[str], base: Path | None = None) -> str:
+def run_script(
+    godot: Godot, script: str, renderer: str, arguments: list[str], base: Path | None = None,
+    on_line: Callable[[str], None] | None = None,
+) -> str:
     """Runs a script to its end and returns what it and the engine printed; its exit status as a Failure.
 
     The script learns `base` (else the current folder) as the place from which the visitor's relative paths count.
+    on_line sees each line that is printed; a script so watched may take its time.
     """
     paths.LOGS.mkdir(parents=True, exist_ok=True)
     name = Path(script).stem
@@ -49,7 +54,8 @@ def run_script(godot: Godot, script: str, renderer: str, arguments: list[str], b
     os.close(handle)
     log = Path(log_name)
     env = {**os.environ, "BLACKHOLE_CALLER_DIR": str(base or Path.cwd())}
-    status = process.run_logged(script_command(godot, script, renderer, arguments), log, env=env, timeout_s=_TIMEOUT_S)
+    command = script_command(godot, script, renderer, arguments)
+    status = process.run_logged(command, log, env=env, timeout_s=_TIMEOUT_S, on_line=on_line)
     printed = log.read_text(encoding="utf-8", errors="replace")
     if status != 0 or _BROKEN.search(printed):
         why = reason(printed) or tail(log)

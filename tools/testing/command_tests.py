@@ -88,6 +88,15 @@ class Capture(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual((self.folder / "light.exr").read_bytes()[:4], b"\x76\x2f\x31\x01")
 
+    def test_a_sequence_into_a_folder(self) -> None:
+        path = {"fps": 3, "duration_s": 1, "ride": {"kind": "fall", "from_rs": 1.5, "to_rs": 0.5}}
+        (self.folder / "fall.json").write_text(json.dumps({"resolution": [64, 48], "path": path}), encoding="utf-8")
+        done = run("capture", "fall.json", "film/", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("frame 3/3", done.stderr)
+        names = sorted(picture.name for picture in (self.folder / "film").iterdir())
+        self.assertEqual(names, ["frame_0000.png", "frame_0001.png", "frame_0002.png"])
+
     def test_a_list_with_several_renderers(self) -> None:
         shots = [self._shot(f"{name}.json", renderer=name) for name in ("mobile", "gl_compatibility")]
         listed = [{"shot": shot, "out": f"{shot}.png"} for shot in shots]
