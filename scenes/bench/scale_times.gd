@@ -18,10 +18,10 @@ static func measure(stage: BenchStage, file: String) -> Dictionary:
 	var catalogue := StarCatalogue.new()
 	var load_ms := INF
 	for i in LOADS:
-		var start := Time.get_ticks_usec()
+		var load_start := Time.get_ticks_usec()
 		if catalogue.load_file(file) != OK:
 			return {}
-		load_ms = minf(load_ms, (Time.get_ticks_usec() - start) / 1000.0)
+		load_ms = minf(load_ms, (Time.get_ticks_usec() - load_start) / 1000.0)
 	stage.show_picture(BenchStage.Picture.LENSED_STARS_2)
 	var few := stage.sky
 	var many := few.duplicate() as BlackHoleSky

@@ -84,9 +84,14 @@ func test_millions_of_stars() -> void:
 	assert_eq(stage.dress(null, 1.0), "")
 	var figures := await ScaleTimes.measure(stage, SyntheticStars.write(_folder, MANY_STARS))
 	gut.p(figures)
-	assert_lt(figures["stars_2500k_load_ms"] as float, 1500.0)
-	assert_lt(figures["stars_2500k_bytes_per_star"] as float, MOST_BYTES_PER_STAR)
-	assert_lt(figures["stars_2500k_to_linear"] as float, 1.1)
+	assert_lt(_figure(figures, "stars_2500k_load_ms"), 1500.0)
+	assert_lt(_figure(figures, "stars_2500k_bytes_per_star"), MOST_BYTES_PER_STAR)
+	assert_lt(_figure(figures, "stars_2500k_to_linear"), 1.1)
+
+
+func _figure(figures: Dictionary, name: String) -> float:
+	var value: float = figures[name]
+	return value
 
 
 func _booth() -> SkyBooth:
