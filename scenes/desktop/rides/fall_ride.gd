@@ -12,7 +12,7 @@ var _title: String
 
 ## Dropped from rest at `radius` in direction `outward`.
 static func from_rest(radius: float, outward: Vector3) -> FallRide:
-	var ride := FallRide.new()
+	var ride := new()
 	ride._title = _translated("Fall from rest at %s") % ReadoutText.distance(radius)
 	ride._begin(ride._path.start_from_rest(radius) if radius > 1.0 else FAILED, outward)
 	return ride
@@ -20,7 +20,7 @@ static func from_rest(radius: float, outward: Vector3) -> FallRide:
 
 ## Coming from rest at infinity, from `radius` on.
 static func as_rain(radius: float, outward: Vector3) -> FallRide:
-	var ride := FallRide.new()
+	var ride := new()
 	ride._title = _translated("Fall from infinity, from %s on") % ReadoutText.distance(radius)
 	ride._begin(ride._path.start_with_energy(radius, 1.0), outward)
 	return ride

@@ -12,7 +12,7 @@ var _proper_time: float = 0.0
 
 ## From `place` on, right-handed about `axis`.
 static func from(place: Vector3, axis: Vector3) -> OrbitRide:
-	var ride := OrbitRide.new()
+	var ride := new()
 	if place.length() <= 1.5:
 		ride.refusal = _translated("There is no circular orbit here: it takes more than 1.5 rₛ.")
 	elif axis.normalized().cross(place.normalized()).length() < LEAST_SINE:

@@ -12,7 +12,7 @@ var _thrust := Vector3.ZERO
 
 ## From `place` on with a `celerity` relative to rain.
 static func from(place: Vector3, celerity: Vector3) -> PilotedRide:
-	var ride := PilotedRide.new()
+	var ride := new()
 	if ride._pilot.start(place, celerity) != OK:
 		ride.refusal = _translated(
 			"No flight can start here: the motion is too near to that of light."

@@ -5,6 +5,9 @@ extends RefCounted
 ##
 ## Places are from the hole in Schwarzschild radii, times in the light travel time of one (r_s/c),
 ## celerities (velocity times Lorentz factor) in units of c, accelerations in c^2/r_s.
+##
+## The rides' static constructors say new() without the class's name: Godot 4.6 does not always free
+## scripts that name themselves there before it ends, and then complains of resources in use.
 
 ## Rides end here: nearer, the picture changes only by growing darker.
 const NEAREST: float = 0.05

@@ -22,7 +22,7 @@ var _view := Vector3.FORWARD
 
 
 static func from(place: Vector3, view: Vector3) -> VelocityRide:
-	var ride := VelocityRide.new()
+	var ride := new()
 	ride._place = place
 	ride._view = view
 	return ride
