@@ -89,8 +89,8 @@ func test_millions_of_stars() -> void:
 	assert_lt(_figure(figures, "stars_2500k_to_linear"), 1.1)
 
 
-func _figure(figures: Dictionary, name: String) -> float:
-	var value: float = figures[name]
+func _figure(figures: Dictionary, key: String) -> float:
+	var value: float = figures[key]
 	return value
 
 
