@@ -39,7 +39,19 @@ struct BorrowLimits {
 
 /// Drawing more than is seen costs time, buffers of their own cost memory: that is saved when it runs short.
 BorrowLimits borrow_limits(double pressure) {
-	return {pressure < 0.8 ? 0.6 : 0.3, pressure < 0.6 ? 0.5 : 0.2};
+	BorrowLimits limits{0.97, 0.9};
+	if (pressure >= 0.65) {
+		limits.from = 0.3;
+	} else if (pressure >= 0.45) {
+		limits.from = 0.6;
+	}
+	// Lower, so that cells do not go to and fro as they themselves change the pressure.
+	if (pressure >= 0.45) {
+		limits.down_to = 0.2;
+	} else if (pressure >= 0.3) {
+		limits.down_to = 0.5;
+	}
+	return limits;
 }
 
 constexpr std::array<const char *, 8> kShaderNames = {"stars_flat", "stars_lensed", "stars_general",

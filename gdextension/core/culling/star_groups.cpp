@@ -15,7 +15,7 @@
 namespace blackhole {
 namespace {
 
-constexpr int kDivisions = 5; // cells along a cube face's edge
+constexpr int kDivisions = 5; // cells along a cube face's edge; division_of() has their bounds
 constexpr std::size_t kCells = std::size_t{6} * kDivisions * kDivisions;
 constexpr std::size_t kCellsPerPiece = 10;
 constexpr std::size_t kPiece = 16384; // stars that make a thread worth while
