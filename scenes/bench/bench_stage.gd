@@ -68,6 +68,7 @@ func dress(panorama: Texture2D, luminance: float) -> String:
 	material.shader = MARCH_SHADER
 	material.set_shader_parameter("_panorama", panorama)
 	material.set_shader_parameter("_panorama_luminance", luminance)
+	material.set_shader_parameter("_planck_table", BlackBody.get_texture())
 	material.set_shader_parameter("_hole_position", Vector3.ZERO)
 	material.set_shader_parameter("_inverse_radius", 1.0 / sky.schwarzschild_radius)
 	_march.material_override = material

@@ -40,10 +40,16 @@ public:
 	/// gamma + |w| cos, with the angle between direction and motion within the bin's reach of its least and
 	/// largest.
 	[[nodiscard]] double largest(double xi_from, double xi_to) const {
+		if (size == 0.0) {
+			return 1.0;
+		}
 		const double beside = std::clamp(angle, xi_from, xi_to);
 		return gamma + size * std::cos(angle - beside);
 	}
 	[[nodiscard]] double smallest(double xi_from, double xi_to) const {
+		if (size == 0.0) {
+			return 1.0;
+		}
 		const double opposite = std::clamp(kPi - angle, xi_from, xi_to);
 		const double along = size * std::cos(angle + opposite);
 		return along >= 0.0 ? gamma + along : std::max(gamma + along, 1.0 / (gamma + size));
