@@ -11,6 +11,7 @@ extends Node3D
 @onready var _rides: RideDirector = $Rides
 @onready var _router: ActionRouter = $Actions
 @onready var _readouts: Readouts = %Readouts
+@onready var _map: MapWindow = %Map
 @onready var _ride_bar: RideBar = %RideBar
 @onready var _panel: SkyPanel = %Panel
 @onready var _hint: Label = %Hint
@@ -79,6 +80,7 @@ func _route_actions() -> void:
 	_router.route(&"toggle_panel", _panel.toggle)
 	_router.route(&"toggle_lensing", _on_toggle_lensing)
 	_router.route(&"next_observer", _on_next_observer)
+	_router.route(&"toggle_map", _map.toggle)
 	_router.route(&"toggle_names", _overlays.toggle_names)
 	_router.route(&"toggle_overlays", _overlays.toggle_of_hole)
 	_router.route(&"next_background", _switches.next_background)

@@ -27,6 +27,7 @@ const ROWS: Array[Array] = [
 	["Effects, observers, rides, sky", [&"toggle_panel"], ""],
 	["Constellations and names", [&"toggle_names"], "", "In the panel"],
 	["Lines of the hole", [&"toggle_overlays"], "", "In the panel"],
+	["Map of the whole sky", [&"toggle_map"], "", "In the panel"],
 	["Ride: pause, go on", [&"ride_pause"], ""],
 	["Ride: back in time", [&"ride_reverse"], ""],
 	["Ride: slower, faster", [&"ride_slower", &"ride_faster"], ""],

@@ -2,15 +2,17 @@
 class_name PicturePage
 extends VBoxContainer
 ## Lines and names over the sky, how the light of a star spreads, how the sky is laid out on the
-## picture, and how many images of each star there are.
+## picture and on a map beside it, and how many images of each star there are.
 
 var sky: BlackHoleSky
 var overlays: SkyOverlays
+var map: MapWindow
 
 @onready var _constellations: CheckBox = %Constellations
 @onready var _star_names: CheckBox = %StarNames
 @onready var _spread: Stepper = %Spread
 @onready var _projection: Stepper = %Projection
+@onready var _map: Stepper = %MapBeside
 @onready var _orders: Stepper = %Orders
 @onready var _lines: Dictionary[BlackHoleSky.Overlay, CheckBox] = {
 	BlackHoleSky.OVERLAY_EQUATORIAL_GRID: %EquatorialGrid,
@@ -30,6 +32,7 @@ func _ready() -> void:
 		_lines[line].toggled.connect(func(on: bool) -> void: overlays.want(line, on))
 	_spread.chosen.connect(_on_spread_chosen)
 	_projection.chosen.connect(_on_projection_chosen)
+	_map.chosen.connect(_on_map_chosen)
 	_orders.chosen.connect(func(at: int) -> void: sky.image_orders = at + 1)
 
 
@@ -42,6 +45,10 @@ func refresh() -> void:
 	_spread.at = sky.psf_model
 	_projection.titles = projection_titles()
 	_projection.at = sky.projection
+	var maps := projection_titles()
+	maps[0] = tr("None")
+	_map.titles = maps
+	_map.at = map.get_projection() if map.visible else BlackHoleSky.PROJECTION_PERSPECTIVE
 	var counts := PackedStringArray()
 	for orders in SkySwitches.MOST_ORDERS:
 		counts.append(str(orders + 1))
@@ -54,7 +61,7 @@ func refresh() -> void:
 static func spread_titles(aperture: float) -> PackedStringArray:
 	return [
 		_translated("Gaussian"),
-		_translated("Diffraction, %s mm") % ReadoutText.significant(aperture),
+		_translated("Diffraction, %s mm") % String.num(aperture, 2),
 		_translated("Glare in the eye"),
 	]
 
@@ -78,6 +85,14 @@ func _on_spread_chosen(at: int) -> void:
 
 func _on_projection_chosen(at: int) -> void:
 	sky.projection = at as BlackHoleSky.Projection
+
+
+func _on_map_chosen(at: int) -> void:
+	if at == BlackHoleSky.PROJECTION_PERSPECTIVE:
+		map.close()
+	else:
+		map.set_projection(at as BlackHoleSky.Projection)
+		map.open()
 
 
 static func _translated(text: String) -> String:

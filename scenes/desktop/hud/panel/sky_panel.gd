@@ -13,6 +13,7 @@ const INTERVAL: float = 0.1
 @export var choice: ObserverChoice
 @export var director: RideDirector
 @export var overlays: SkyOverlays
+@export var map: MapWindow
 
 var _elapsed: float = 0.0
 
@@ -36,6 +37,7 @@ func _enter_tree() -> void:
 	var picture: PicturePage = %PicturePage
 	picture.sky = sky
 	picture.overlays = overlays
+	picture.map = map
 
 
 func _ready() -> void:
