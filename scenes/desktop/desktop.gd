@@ -5,11 +5,13 @@ extends Node3D
 
 @onready var _data: SkyData = $Data
 @onready var _switches: SkySwitches = $Switches
+@onready var _overlays: SkyOverlays = $Overlays
 @onready var _controls: ViewControls = $Controls
 @onready var _choice: ObserverChoice = $Choice
 @onready var _rides: RideDirector = $Rides
 @onready var _router: ActionRouter = $Actions
 @onready var _readouts: Readouts = %Readouts
+@onready var _map: MapWindow = %Map
 @onready var _ride_bar: RideBar = %RideBar
 @onready var _panel: SkyPanel = %Panel
 @onready var _hint: Label = %Hint
@@ -27,6 +29,7 @@ func _ready() -> void:
 	_data.warned.connect(_on_data_warned)
 	_data.settled.connect(_notices.take_down)
 	_switches.warned.connect(_on_advised)
+	_overlays.warned.connect(_on_data_warned)
 	_choice.warned.connect(_on_advised)
 	_rides.warned.connect(_on_advised)
 	_guide.advised.connect(_on_advised)
@@ -77,6 +80,9 @@ func _route_actions() -> void:
 	_router.route(&"toggle_panel", _panel.toggle)
 	_router.route(&"toggle_lensing", _on_toggle_lensing)
 	_router.route(&"next_observer", _on_next_observer)
+	_router.route(&"toggle_map", _map.toggle)
+	_router.route(&"toggle_names", _overlays.toggle_names)
+	_router.route(&"toggle_overlays", _overlays.toggle_of_hole)
 	_router.route(&"next_background", _switches.next_background)
 	_router.route(&"next_image_orders", _switches.next_image_orders)
 	_router.route(&"exposure_up", _switches.change_exposure.bind(1), true)

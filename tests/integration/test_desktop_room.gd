@@ -41,6 +41,15 @@ func test_display_bar_and_panel_fit(p: Variant = use_parameters(_locales)) -> vo
 	assert_lt(both, WINDOW.y - 60.0, "the panel does not cover the bar")
 
 
+func test_the_tabs_of_the_panel_fit(p: Variant = use_parameters(_locales)) -> void:
+	TranslationServer.set_locale(p.locale)
+	var panel: SkyPanel = _scene.get_node("%Panel")
+	panel.toggle()
+	await wait_process_frames(2)
+	var bar := (panel.get_node("%Tabs") as TabContainer).get_tab_bar()
+	assert_false(bar.get_offset_buttons_visible(), "%s: no arrows" % p.locale)
+
+
 func test_the_help_fits(p: Variant = use_parameters(_locales)) -> void:
 	TranslationServer.set_locale(p.locale)
 	_help.open()

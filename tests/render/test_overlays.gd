@@ -57,6 +57,28 @@ func test_straight_light_is_dashed() -> void:
 	assert_between(lit, 140, 260)
 
 
+## There the quantity whose levels are drawn goes to infinity, within a pixel.
+func test_nothing_is_drawn_opposite_the_hole() -> void:
+	_booth.sky.overlays = (
+		BlackHoleSky.OVERLAY_SHADOW_EDGE
+		| BlackHoleSky.OVERLAY_EINSTEIN_RINGS
+		| BlackHoleSky.OVERLAY_STRAIGHT_LIGHT
+	)
+	_booth.sky.projection = BlackHoleSky.PROJECTION_FISHEYE_360
+	var picture := await _picture()
+	_booth.sky.projection = BlackHoleSky.PROJECTION_PERSPECTIVE
+	var edge := 360.0 * _view.shadow_half_angle() / PI
+	var at_edge := 0.0
+	var at_outline := 0.0
+	for i in 720:
+		var way := Vector2.from_angle(deg_to_rad(0.5 * i))
+		at_edge = maxf(at_edge, _light(picture, Vector2(640, 360) + way * edge))
+		for off: float in [0.6, 1.2, 2.0]:
+			at_outline = maxf(at_outline, _light(picture, Vector2(640, 360) + way * (360.0 - off)))
+	assert_gt(at_edge, 0.1, "the shadow's edge")
+	assert_eq(at_outline, 0.0, "the outline is the point opposite")
+
+
 func test_direction_of_motion() -> void:
 	_view.observer.motion = LensingTable.MOTION_VELOCITY
 	_view.observer.relative_to_static = true

@@ -55,6 +55,7 @@ var _turning := EasedRate.new(RATE_SETTLING)
 var _flying := EasedRate.new(RATE_SETTLING)
 var _drag_orbit := EasedRemainder.new(MOUSE_SETTLING)
 var _drag_turn := EasedRemainder.new(MOUSE_SETTLING)
+var _drag_axis := EasedRemainder.new(MOUSE_SETTLING)
 var _dragging: bool = false
 
 
@@ -82,7 +83,7 @@ func reset() -> void:
 	StartView.apply_to(rig)
 	for rate: EasedRate in [_orbiting, _turning, _flying]:
 		rate.stop()
-	for remainder: EasedRemainder in [_drag_orbit, _drag_turn]:
+	for remainder: EasedRemainder in [_drag_orbit, _drag_turn, _drag_axis]:
 		remainder.stop()
 	mode = Mode.ORBIT
 	_show()
@@ -118,15 +119,24 @@ func advance(seconds: float) -> void:
 	var round_hole := _orbiting.advance(orbit_rate, seconds) + _drag_orbit.advance(seconds)
 	var head := _turning.advance(turn_rate, seconds) + _drag_turn.advance(seconds)
 	var flown := _flying.advance(flight_rate, seconds)
+	var revolved := _drag_axis.advance(seconds)
 	if mode == Mode.RIDE:
 		rig.turn(head.x, head.y, head.z)
 	else:
 		rig.orbit(round_hole.x, round_hole.y)
+		rig.revolve(revolved)
 		rig.approach(round_hole.z)
 		rig.turn(head.x, head.y, head.z)
 		rig.fly(flown)
 	_face(1.0 - exp(-seconds / FACING_SETTLING))
 	_show()
+
+
+## Goes round the hole about an axis through it, whose length is the angle; not on a ride, which has
+## its own way.
+func revolve(axis: Vector3) -> void:
+	if listening:
+		_drag_axis.add(axis)
 
 
 ## Where the keys and the stick ask to fly, in the eye's axes; length 0 to 1.

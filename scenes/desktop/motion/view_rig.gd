@@ -60,7 +60,11 @@ func move_to(position: Vector3) -> void:
 
 ## Goes round the hole, keeping the distance and the side that is shown to it.
 func orbit(to_the_right: float, upwards: float) -> void:
-	var axis := _orientation * Vector3(-upwards, to_the_right, 0.0)
+	revolve(_orientation * Vector3(-upwards, to_the_right, 0.0))
+
+
+## Goes round the hole about an axis through it, whose length is the angle.
+func revolve(axis: Vector3) -> void:
 	var angle := axis.length()
 	if not is_finite(angle) or angle < TINY:
 		return

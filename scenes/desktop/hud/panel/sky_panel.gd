@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
 class_name SkyPanel
 extends PanelContainer
-## The panel with everything that no key of its own reaches: effects, observers, rides, mass. It can
-## be gone through with the mouse, with the arrow keys alone and with a gamepad alone.
+## The panel with everything that no key of its own reaches: effects, observers, rides, mass, lines
+## and names. It can be gone through with the mouse, with the arrow keys alone and with a gamepad
+## alone.
 
 ## Seconds between two updates.
 const INTERVAL: float = 0.1
@@ -11,6 +12,8 @@ const INTERVAL: float = 0.1
 @export var controls: ViewControls
 @export var choice: ObserverChoice
 @export var director: RideDirector
+@export var overlays: SkyOverlays
+@export var map: MapWindow
 
 var _elapsed: float = 0.0
 
@@ -18,6 +21,7 @@ var _elapsed: float = 0.0
 @onready var _effects: EffectsPage = %EffectsPage
 @onready var _observer: ObserverPage = %ObserverPage
 @onready var _rides: RidesPage = %RidesPage
+@onready var _picture: PicturePage = %PicturePage
 
 
 # Before the pages are ready.
@@ -30,6 +34,10 @@ func _enter_tree() -> void:
 	observer.controls = controls
 	var rides: RidesPage = %RidesPage
 	rides.director = director
+	var picture: PicturePage = %PicturePage
+	picture.sky = sky
+	picture.overlays = overlays
+	picture.map = map
 
 
 func _ready() -> void:
@@ -63,9 +71,11 @@ func refresh() -> void:
 	_tabs.set_tab_title(0, tr("Effects"))
 	_tabs.set_tab_title(1, tr("Observer"))
 	_tabs.set_tab_title(2, tr("Rides"))
+	_tabs.set_tab_title(3, tr("Sky"))
 	_effects.refresh(controls.rig.get_distance() <= sky.lensing)
 	_observer.refresh()
 	_rides.refresh()
+	_picture.refresh()
 
 
 func _on_tab_changed(_tab: int) -> void:
