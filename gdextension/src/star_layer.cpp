@@ -28,14 +28,12 @@ constexpr int kRenderPriority = -100; // behind everything else that is transpar
 constexpr float kEverywhere = 1e6F;
 constexpr float kEveryRank = std::numeric_limits<float>::infinity();
 constexpr double kHigherOrderFaintness = 6.0; // 6 x 5e-5: one step of an 8-bit sRGB picture
-/// Half the squares of the smallest sprites' radii in sigma: direct images, higher ones.
-constexpr double kLeastCut = 2.75;
-constexpr double kHigherLeastCut = 2.0;
 constexpr std::size_t kHigherOrders = StarLayer::kMaxOrders - 1;
 /// Rows that the second and further images should hold together, as a part of the stars: 14.4 bytes a star.
-/// Of small catalogues so many that buffers seldom change (2.4 MB).
+/// Catalogues whose rows are fewer than these all in all (12 MB) need not be thrifty, so that their buffers
+/// seldom change.
 constexpr double kHigherShare = 0.3;
-constexpr double kHigherRowsAtLeast = 50000.0;
+constexpr double kFreelyHeldRows = 250000.0;
 /// From which part of a group on higher images draw all of it, and below which one no longer.
 struct BorrowLimits {
 	double from;
@@ -147,8 +145,9 @@ void StarLayer::build(const blackhole::StarTable &table) {
 			blackhole::pack_rows(table, directions, groups[g], planck, rows[g]);
 		}
 	});
-	const double share = kHigherShare * static_cast<double>(table.stars.size());
-	plan = blackhole::BufferPlan(lengths, static_cast<std::size_t>(std::max(share, kHigherRowsAtLeast)));
+	const auto count = static_cast<double>(table.stars.size());
+	const double most = std::max(kHigherShare * count, kFreelyHeldRows - count);
+	plan = blackhole::BufferPlan(lengths, static_cast<std::size_t>(most));
 	apply(current);
 }
 
@@ -393,7 +392,6 @@ void StarLayer::apply(const SkySettings &settings) {
 		set_sky_uniforms(material, settings);
 		server->material_set_param(material, "_exposure", blackhole::kStarGain * settings.exposure);
 		set_point_spread(material);
-		server->material_set_param(material, "_least_cut", order > 0 ? kHigherLeastCut : kLeastCut);
 		server->material_set_param(material, "_faint_limit", faint_limit(settings, order));
 		server->material_set_param(
 				material, "_flux_limit", std::pow(10.0, -0.4 * (settings.magnitude_limit + 1e-6)));

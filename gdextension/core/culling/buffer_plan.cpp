@@ -9,7 +9,7 @@ namespace {
 constexpr std::size_t kFew = 4; // rows not worth counting
 
 std::size_t generous(std::size_t rows) {
-	return rows + rows / 2 + 2 * kFew;
+	return 2 * rows + 16 * kFew;
 }
 
 std::size_t scant(std::size_t rows) {
