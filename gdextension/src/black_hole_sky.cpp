@@ -17,7 +17,6 @@
 #include "src/glm_adapter.h"
 #include "src/image_projector.h"
 #include "src/planck_texture.h"
-#include "src/star_choice.h"
 
 using namespace godot;
 
@@ -152,21 +151,17 @@ void BlackHoleSky::apply_settings() {
 	settings.render_layers = render_layers;
 	star_layer.apply(settings);
 	background_layer.apply(settings);
-	last_eyes.clear();
+	star_choice.reset();
 }
 
 void BlackHoleSky::before_draw() {
 	const auto start = std::chrono::steady_clock::now();
 	const std::vector<WatchingEye> &eyes = eye_tracker.eyes_in(get_world_3d());
-	const bool changed = settings_dirty || eyes != last_eyes;
 	if (settings_dirty) {
 		apply_settings();
 	}
-	if (changed) {
-		if (settings.lensing) {
-			choose_stars(star_layer, settings, eyes, *table->data());
-		}
-		last_eyes = eyes;
+	if (settings.lensing) {
+		star_choice.update(star_layer, settings, eyes, *table->data());
 	}
 	const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - start;
 	update_time_ms = spent.count();

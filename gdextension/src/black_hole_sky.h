@@ -17,6 +17,7 @@
 #include "src/sky_observer.h"
 #include "src/sky_settings.h"
 #include "src/star_catalogue.h"
+#include "src/star_choice.h"
 #include "src/star_layer.h"
 
 /// A Schwarzschild black hole at the node's place and the sky as its light bends it, right for every camera
@@ -156,7 +157,7 @@ private:
 	StarLayer star_layer;
 	BackgroundLayer background_layer;
 	EyeTracker eye_tracker;
-	std::vector<WatchingEye> last_eyes;
+	StarChoice star_choice;
 	SkySettings settings;
 
 	double schwarzschild_radius = 1.0;

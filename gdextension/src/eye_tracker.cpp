@@ -55,12 +55,21 @@ WatchingEye watching_eye(Viewport *viewport, const Camera3D *camera) {
 
 } // namespace
 
-double WatchingEye::pixel_gain(const glm::dvec3 &towards, double reach) const {
-	if (axis == glm::dvec3(0.0)) {
+PixelGain WatchingEye::pixel_gain(const glm::dvec3 &towards) const {
+	PixelGain gain;
+	gain.axis_gain = axis_gain;
+	gain.corner_cosine = corner_cosine;
+	if (axis != glm::dvec3(0.0)) {
+		gain.angle = std::acos(std::clamp(glm::dot(axis, towards), -1.0, 1.0));
+	}
+	return gain;
+}
+
+double PixelGain::operator()(double reach) const {
+	if (angle < 0.0) {
 		return axis_gain;
 	}
-	const double angle = std::acos(std::clamp(glm::dot(axis, towards), -1.0, 1.0)) + reach;
-	const double cosine = std::max(std::cos(std::min(angle, std::numbers::pi)), corner_cosine);
+	const double cosine = std::max(std::cos(std::min(angle + reach, std::numbers::pi)), corner_cosine);
 	return axis_gain / (cosine * cosine * cosine);
 }
 

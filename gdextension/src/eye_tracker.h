@@ -12,6 +12,18 @@
 #include <godot_cpp/classes/viewport.hpp>
 #include <godot_cpp/classes/world3d.hpp>
 
+/// Largest Omega_ref/Omega_px in the part of a picture within an angle [rad] of a direction.
+class PixelGain {
+public:
+	double operator()(double reach) const;
+
+private:
+	friend struct WatchingEye;
+	double axis_gain = 1.0;
+	double corner_cosine = 1.0;
+	double angle = -1.0; ///< of the direction from the axis; negative where that is not known
+};
+
 /// From where, and how finely, a viewport looks at its world.
 struct WatchingEye {
 	glm::dvec3 place{0.0};      ///< world
@@ -22,8 +34,8 @@ struct WatchingEye {
 
 	bool operator==(const WatchingEye &) const = default;
 
-	/// Largest Omega_ref/Omega_px in the part of the picture within `reach` [rad] of a direction (world).
-	double pixel_gain(const glm::dvec3 &towards, double reach) const;
+	/// How finely it looks round a direction (world).
+	PixelGain pixel_gain(const glm::dvec3 &towards) const;
 };
 
 /// Knows every viewport of the scene tree, and so from where a world is being looked at in this frame.

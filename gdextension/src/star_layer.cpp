@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <godot_cpp/classes/rendering_server.hpp>
 #include <godot_cpp/classes/resource.hpp>
@@ -26,7 +25,7 @@ namespace {
 constexpr int kMapCopies = 3;         // the sprite, across a seam, across a pole
 constexpr int kRenderPriority = -100; // behind everything else that is transparent, before the background
 constexpr float kEverywhere = 1e6F;
-constexpr float kEveryRank = std::numeric_limits<float>::infinity();
+constexpr float kFaintestRank = std::numeric_limits<float>::max(); // of which one can ask
 constexpr double kHigherOrderFaintness = 6.0; // 6 x 5e-5: one step of an 8-bit sRGB picture
 constexpr std::size_t kHigherOrders = StarLayer::kMaxOrders - 1;
 /// Rows that the second and further images should hold together, as a part of the stars: 14.4 bytes a star.
@@ -132,6 +131,9 @@ void StarLayer::build(const blackhole::StarTable &table) {
 	groups = blackhole::group_stars(table, directions, planck);
 	faintest_magnitude = table.stars.empty() ? 0.0 : table.stars.back().v_magnitude;
 	cells.resize(groups.size());
+	for (std::vector<Enough> &enough : enough_of_order) {
+		enough.assign(groups.size(), Enough());
+	}
 	std::vector<float *> rows;
 	std::vector<std::size_t> lengths;
 	for (std::size_t g = 0; g < groups.size(); ++g) {
@@ -148,6 +150,7 @@ void StarLayer::build(const blackhole::StarTable &table) {
 	const auto count = static_cast<double>(table.stars.size());
 	const double most = std::max(kHigherShare * count, kFreelyHeldRows - count);
 	plan = blackhole::BufferPlan(lengths, static_cast<std::size_t>(most));
+	arranged = false;
 	apply(current);
 }
 
@@ -295,18 +298,18 @@ int StarLayer::count_to(std::size_t group, double rank) const {
 	return static_cast<int>(std::upper_bound(ranks.begin(), ranks.end(), limit) - ranks.begin());
 }
 
-void StarLayer::draw(std::size_t group, int order, double rank) {
+void StarLayer::draw(std::size_t group, int order, double rank, bool moving) {
 	Images &images = cells[group].images[static_cast<std::size_t>(order)];
 	const int count = count_to(group, rank);
 	const int all = count_to(group, kEveryRank);
-	// Some to spare, so that a moving eye seldom changes the number.
-	const int spare = 2 + count / 32;
+	// Some to spare: changing the number takes time too. Eyes at rest have it exact.
+	const int spare = moving ? 8 + count / 8 : 2 + count / 32;
 	int reserved = count == 0 ? 0 : std::min(count + spare, all);
-	int enough = reserved - 4 * spare;
+	int lowest = count - (moving ? 2 : 3) * spare;
 	const BorrowLimits limits = borrow_limits(plan.pressure());
 	if (order > 0 && count > 0 && reserved >= (images.borrows ? limits.down_to : limits.from) * all) {
 		reserved = all;
-		enough = static_cast<int>(limits.down_to * all) - spare;
+		lowest = static_cast<int>(limits.down_to * all) - spare;
 	}
 	if (reserved != images.reserved) {
 		images.reserved = reserved;
@@ -314,8 +317,10 @@ void StarLayer::draw(std::size_t group, int order, double rank) {
 	}
 	const auto rank_of = [&ranks = groups[group].ranks](
 								 int at) { return ranks[static_cast<std::size_t>(at)]; };
-	images.enough_to = reserved < all ? rank_of(reserved) : kEveryRank;
-	images.enough_from = reserved == 0 ? -kEveryRank : rank_of(std::max(enough, 0));
+	Enough &enough = enough_of_order[static_cast<std::size_t>(order)][group];
+	enough.loose = moving;
+	enough.to = reserved < all ? rank_of(reserved) : kEveryRank;
+	enough.from = reserved == 0 ? -kEveryRank : rank_of(std::max(lowest, 0));
 	show(images, order);
 }
 
@@ -339,11 +344,12 @@ void StarLayer::set_shown(bool shown) {
 	}
 }
 
-void StarLayer::set_faintest(int order, std::size_t group, double rank) {
-	const Images &images = cells[group].images[static_cast<std::size_t>(order)];
-	const auto limit = static_cast<float>(rank);
-	if (limit < images.enough_from || limit >= images.enough_to) {
-		draw(group, order, rank);
+void StarLayer::set_faintest(int order, std::size_t group, double rank, bool moving) {
+	const Enough &enough = enough_of_order[static_cast<std::size_t>(order)][group];
+	const auto limit = static_cast<float>(std::min(rank, double{kFaintestRank}));
+	const bool loose = enough.loose && !moving;
+	if (loose || limit < enough.from || limit >= enough.to) {
+		draw(group, order, rank, moving);
 	}
 }
 
@@ -383,6 +389,10 @@ void StarLayer::set_point_spread(const RID &material) {
 
 void StarLayer::apply(const SkySettings &settings) {
 	const bool other_sprite = (settings.shaders == SkyShaders::kMap) != (current.shaders == SkyShaders::kMap);
+	const bool arranged_alike = !other_sprite && arranged && settings.lensing == current.lensing &&
+			settings.image_orders == current.image_orders &&
+			settings.magnitude_limit == current.magnitude_limit &&
+			settings.render_layers == current.render_layers;
 	current = settings;
 	ensure_materials();
 	RenderingServer *server = RenderingServer::get_singleton();
@@ -396,6 +406,16 @@ void StarLayer::apply(const SkySettings &settings) {
 		server->material_set_param(
 				material, "_flux_limit", std::pow(10.0, -0.4 * (settings.magnitude_limit + 1e-6)));
 	}
+	// Flights and rides change other settings in each frame.
+	if (!arranged_alike) {
+		arrange(other_sprite);
+	}
+}
+
+/// Gives every group the images that the settings ask for.
+void StarLayer::arrange(bool other_sprite) {
+	arranged = true;
+	RenderingServer *server = RenderingServer::get_singleton();
 	for (std::size_t group = 0; group < cells.size(); ++group) {
 		for (int order = 0; order < kMaxOrders; ++order) {
 			Images &images = cells[group].images[static_cast<std::size_t>(order)];
@@ -405,15 +425,15 @@ void StarLayer::apply(const SkySettings &settings) {
 				images.reserved = 0;
 				hold(group, order);
 			}
-			images.enough_from = kEveryRank; // ask anew: the magnitude limit may be another
-			if (!settings.lensing && order == 0) {
-				draw(group, order, kEveryRank);
+			enough_of_order[static_cast<std::size_t>(order)][group] = Enough();
+			if (!current.lensing && order == 0) {
+				draw(group, order, kEveryRank, false);
 			}
 			if (images.instance.is_valid()) {
 				if (other_sprite) {
 					server->multimesh_set_mesh(images.multimesh, sprite_in_use());
 				}
-				server->instance_set_layer_mask(images.instance, settings.render_layers);
+				server->instance_set_layer_mask(images.instance, current.render_layers);
 				show(images, order);
 			}
 		}

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include <godot_cpp/classes/image_texture.hpp>
@@ -40,8 +41,9 @@ public:
 	void set_textures(const godot::RID &inverse_table, const godot::RID &planck_table);
 	void apply(const SkySettings &settings);
 
-	/// While lensing: the faintest rank, in this group, of which this order's image can be seen.
-	void set_faintest(int order, std::size_t group, double rank);
+	/// While lensing: the faintest rank, in this group, of which this order's image can be seen. While eyes
+	/// are moving, it will soon be another.
+	void set_faintest(int order, std::size_t group, double rank, bool moving);
 	const std::vector<blackhole::StarGroup> &star_groups() const { return groups; }
 	/// V magnitude of the faintest star that may be drawn.
 	double faintest() const { return std::min(faintest_magnitude, current.magnitude_limit); }
@@ -55,6 +57,8 @@ public:
 	static double faint_limit(const SkySettings &settings, int order);
 
 private:
+	static constexpr float kEveryRank = std::numeric_limits<float>::infinity();
+
 	/// A group's images of one order.
 	struct Images {
 		godot::RID multimesh;
@@ -62,10 +66,14 @@ private:
 		int reserved = 0;     ///< stars that are to be drawn
 		int drawn = 0;        ///< stars that the MultiMesh is set to draw
 		bool borrows = false; ///< draws the MultiMesh of the first images instead, with all stars
-		/// That number does, and is not much too large, for faintest ranks from here to below there.
-		float enough_from = 0.0F;
-		float enough_to = 0.0F;
 		bool visible = false;
+	};
+	/// The number of stars that are drawn does, and is not much too large, for faintest ranks from here to
+	/// below there. At first for none.
+	struct Enough {
+		float from = kEveryRank;
+		float to = 0.0F;
+		bool loose = false; ///< chosen for a moving eye
 	};
 	struct Cell {
 		godot::PackedFloat32Array rows; ///< the stars, as buffers hold them
@@ -73,9 +81,10 @@ private:
 	};
 
 	void ensure_materials();
+	void arrange(bool other_sprite);
 	void make_images(std::size_t group, int order);
 	int count_to(std::size_t group, double rank) const;
-	void draw(std::size_t group, int order, double rank);
+	void draw(std::size_t group, int order, double rank, bool moving);
 	void hold(std::size_t group, int order);
 	void fill(std::size_t group, int order, std::size_t stars);
 	static void set_drawn(Images &images, int count);
@@ -95,9 +104,12 @@ private:
 	godot::RID map_sprite;
 	godot::RID scenario;
 	std::vector<Cell> cells;
+	/// Of all groups, asked before each frame: apart, so that this is quickly gone through.
+	std::array<std::vector<Enough>, kMaxOrders> enough_of_order;
 	std::vector<blackhole::StarGroup> groups;
 	blackhole::BufferPlan plan; ///< of the second and further images, group after group
 	double faintest_magnitude = 0.0;
 	SkySettings current;
 	bool layer_shown = true;
+	bool arranged = false; ///< the groups have what the current settings ask for
 };

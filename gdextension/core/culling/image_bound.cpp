@@ -21,11 +21,23 @@ constexpr double kReserve = 1.03;
 // The direct image of a star straight above: a smooth function's limit is taken here, radians.
 constexpr double kNearlyNothing = 1e-3;
 
-double redshift_of(const LocalObserver &eye, double sigma) {
-	const double k2 = eye.kappa * eye.kappa;
-	const double s2 = sigma * sigma;
-	return (k2 + s2) / (eye.kappa * (1.0 - eye.u + s2));
-}
+/// What the ends of the bins are the same for every eye: the angles of an order's rays, and their sines.
+template <std::size_t kEnds>
+struct BinEnds {
+	std::array<ShaderLensing::TableAngle, kEnds> angle;
+	std::array<double, kEnds> sine;
+
+	explicit BinEnds(int order) {
+		const bool odd = order % 2 == 1;
+		const double turns = kPi * static_cast<double>(order + (odd ? 1 : 0));
+		for (std::size_t i = 0; i < kEnds; ++i) {
+			const double at = kPi * static_cast<double>(i) / (kEnds - 1);
+			const double beside = std::max(at, order == 0 ? kNearlyNothing : 0.0);
+			angle[i] = ShaderLensing::table_angle(odd ? turns - at : turns + beside);
+			sine[i] = i == kEnds - 1 ? 0.0 : std::sin(beside);
+		}
+	}
+};
 
 /// Of a boost's Doppler factors over all directions at angles between two from the hole: the smallest and
 /// largest.
@@ -79,24 +91,22 @@ LocalObserver drawn_observer(const glm::dvec3 &position, const ObserverField &ob
 ImageBound::ImageBound(const LocalObserver &eye, int order, const LensingTables &tables,
 		const std::function<double(double)> &gain)
 		: outward(eye.outward) {
-	const ShaderLensing lensing(tables);
-	const bool odd = order % 2 == 1;
-	const double turns = kPi * static_cast<double>(order + (odd ? 1 : 0));
+	static const std::array<BinEnds<kBins + 1>, 4> kEnds = {
+			BinEnds<kBins + 1>(0), BinEnds<kBins + 1>(1), BinEnds<kBins + 1>(2), BinEnds<kBins + 1>(3)};
+	const BinEnds<kBins + 1> &ends = kEnds.at(static_cast<std::size_t>(order));
+	const std::array<double, kBins + 1> &sine = ends.sine;
+	std::array<ShaderLensing::Ray, kBins + 1> rays; // NOLINT(cppcoreguidelines-pro-type-member-init)
+	ShaderLensing(tables).rays_of_angles(eye.u, ends.angle.data(), rays.size(), rays.data());
 	std::array<double, kBins + 1> spread{}; // magnification times sin(angle), a smooth function
-	std::array<double, kBins + 1> sine{};
 	std::array<double, kBins + 1> redshift{};
 	std::array<double, kBins + 1> xi{};
+	const double k2 = eye.kappa * eye.kappa;
 	for (std::size_t i = 0; i <= kBins; ++i) {
-		const double angle = kPi * static_cast<double>(i) / kBins;
-		const double smallest = order == 0 ? kNearlyNothing : 0.0;
-		const double phi = odd ? turns - angle : turns + std::max(angle, smallest);
-		const ShaderLensing::Ray ray = lensing.ray_of_angle(eye.u, phi);
-		const double sigma = ray.sigma;
-		const double k2 = eye.kappa * eye.kappa;
-		const double sum = k2 + sigma * sigma;
-		spread[i] = 4.0 * k2 * sigma * std::abs(double{ray.slope}) / (sum * sum);
-		sine[i] = i == kBins ? 0.0 : std::sin(std::max(angle, smallest));
-		redshift[i] = redshift_of(eye, sigma);
+		const double sigma = rays[i].sigma;
+		const double s2 = sigma * sigma;
+		const double sum = k2 + s2;
+		spread[i] = 4.0 * k2 * sigma * std::abs(double{rays[i].slope}) / (sum * sum);
+		redshift[i] = sum / (eye.kappa * (1.0 - eye.u + s2));
 		xi[i] = 2.0 * std::atan(sigma / eye.kappa);
 	}
 	const DopplerRange doppler(eye);

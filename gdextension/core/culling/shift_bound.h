@@ -21,7 +21,7 @@ public:
 	[[nodiscard]] double log2_gain(double ln_g) const;
 
 private:
-	static constexpr std::size_t kSteps = 256;
+	static constexpr std::size_t kSteps = 64;
 	static constexpr double kRange = 4.0; ///< of |ln g|
 	std::array<float, kSteps + 1> gains{};
 };

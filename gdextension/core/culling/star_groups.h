@@ -20,12 +20,12 @@ inline constexpr double kRankingShift = 1.06;
 /// The stars in one part of the sky, brightest first: of each group the brightest are drawn, as many as can
 /// be seen.
 struct StarGroup {
+	glm::dvec3 centre{0.0};           ///< unit vector, ICRS axes
+	double angular_radius = 0.0;      ///< radians; every star lies within it of the centre
+	ShiftBound shift;                 ///< what a shift of frequencies does at most, beyond kRankingShift
 	std::vector<std::uint32_t> stars; ///< places in StarTable::stars, by rising rank
 	/// Their ranks: V magnitude less the gain by kRankingShift, so never above V.
 	std::vector<float> ranks;
-	glm::dvec3 centre{0.0};      ///< unit vector, ICRS axes
-	double angular_radius = 0.0; ///< radians; every star lies within it of the centre
-	ShiftBound shift;            ///< what a shift of frequencies does at most, beyond kRankingShift
 };
 
 /// Divides a catalogue (brightest first) into at most 150 groups: twenty-fifths of the faces of a cube round

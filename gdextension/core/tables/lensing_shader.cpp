@@ -70,19 +70,30 @@ float shadow_sigma(float u) {
 	return eye_at(u).sigma_c;
 }
 
-Ray ray_of_angle(const Texture &inverse, float u, float t, float t_slope) {
+Ray ray_of_angle(const Texture &inverse, float u, Angle angle) {
+	Ray ray{};
+	rays_of_angles(inverse, u, &angle, 1, &ray);
+	return ray;
+}
+
+void rays_of_angles(const Texture &inverse, float u, const Angle *angles, std::size_t count, Ray *rays) {
 	const LensEye eye = eye_at(u);
-	// The lines of lens_star_image() between its t and its sigma.
-	const float q = sqrt(t * t + 2.0F * eye.w);
-	const float q_table = sqrt(t * t + 2.0F * eye.w_table);
-	const float s0 = t > 0.0F ? 0.5F * (t + q) : eye.w / (q - t);
-	const float s_table = t > 0.0F ? 0.5F * (t + q_table) : eye.w_table / (q_table - t);
-	const float big_x = clamp(log(s_table * inversesqrt(0.5F * eye.w_table)), -LENS_X_LIMIT, LENS_X_LIMIT);
-	const vec2 column = lens_column(big_x);
-	const LensSample ratio = lens_sample(inverse, lens_row(eye), column.x);
-	const float clearance = s0 * ratio.value;
-	const float slope = t_slope * s0 * (ratio.value / q + ratio.slope * column.y / q_table);
-	return {clearance, eye.sigma_c + clearance, slope};
+	const LensRow row = lens_row(eye);
+	const float x_scale = inversesqrt(0.5F * eye.w_table);
+	for (std::size_t i = 0; i < count; ++i) {
+		const float t = angles[i].t;
+		// The lines of lens_star_image() between its t and its sigma.
+		const float q = sqrt(t * t + 2.0F * eye.w);
+		const float q_table = sqrt(t * t + 2.0F * eye.w_table);
+		const float s0 = t > 0.0F ? 0.5F * (t + q) : eye.w / (q - t);
+		const float s_table = t > 0.0F ? 0.5F * (t + q_table) : eye.w_table / (q_table - t);
+		const float big_x = clamp(log(s_table * x_scale), -LENS_X_LIMIT, LENS_X_LIMIT);
+		const vec2 column = lens_column(big_x);
+		const LensSample ratio = lens_sample(inverse, row, column.x);
+		const float clearance = s0 * ratio.value;
+		const float slope = angles[i].t_slope * s0 * (ratio.value / q + ratio.slope * column.y / q_table);
+		rays[i] = {clearance, eye.sigma_c + clearance, slope};
+	}
 }
 
 vec2 angle_of_ray(const Texture &forward, float u, float y) {

@@ -7,6 +7,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <cstddef>
 #include <vector>
 
 /// addons/blackhole_sky/shaders/{observer,lensing,effects}.gdshaderinc compiled as C++, behind plain
@@ -55,8 +56,15 @@ struct Sky {
 
 /// sigma_c at u.
 float shadow_sigma(float u);
-/// sigma - sigma_c, sigma and dsigma/dPhi from the inverse table, given t(Phi) and dt/dPhi.
-Ray ray_of_angle(const Texture &inverse, float u, float t, float t_slope);
+/// An orbital angle as the inverse table takes it: t(Phi) and dt/dPhi.
+struct Angle {
+	float t;
+	float t_slope;
+};
+/// sigma - sigma_c, sigma and dsigma/dPhi from the inverse table.
+Ray ray_of_angle(const Texture &inverse, float u, Angle angle);
+/// The same for several angles, to as many rays.
+void rays_of_angles(const Texture &inverse, float u, const Angle *angles, std::size_t count, Ray *rays);
 /// Phi and dPhi/dy from the forward table.
 glm::vec2 angle_of_ray(const Texture &forward, float u, float y);
 /// Image of a star in the observer's own frame, with the effects (bits of effects.gdshaderinc) that are on.

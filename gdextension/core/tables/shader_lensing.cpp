@@ -6,10 +6,17 @@
 namespace blackhole {
 
 ShaderLensing::Ray ShaderLensing::ray_of_angle(double u, double phi) const {
-	const Baseline at = baseline(baseline_width(u), phi);
-	const lensing_shader::Ray ray = lensing_shader::ray_of_angle({&data.inverse, data.columns},
-			static_cast<float>(u), static_cast<float>(at.t), static_cast<float>(at.t_slope));
-	return ray;
+	return lensing_shader::ray_of_angle(
+			{&data.inverse, data.columns}, static_cast<float>(u), table_angle(phi));
+}
+
+ShaderLensing::TableAngle ShaderLensing::table_angle(double phi) {
+	const Baseline at = baseline(0.0, phi); // t and its slope depend on the angle only
+	return {static_cast<float>(at.t), static_cast<float>(at.t_slope)};
+}
+
+void ShaderLensing::rays_of_angles(double u, const TableAngle *angles, std::size_t count, Ray *rays) const {
+	lensing_shader::rays_of_angles({&data.inverse, data.columns}, static_cast<float>(u), angles, count, rays);
 }
 
 ShaderLensing::Angle ShaderLensing::angle_of_ray(double u, double y) const {

@@ -5,6 +5,8 @@
 #include "core/tables/lensing_shader.h"
 #include "core/tables/lensing_tables.h"
 
+#include <cstddef>
+
 #include <glm/vec3.hpp>
 
 namespace blackhole {
@@ -23,6 +25,12 @@ public:
 	/// and dt/dPhi, formed in double precision: rounding a star's direction to floats is not the table's
 	/// error.
 	[[nodiscard]] Ray ray_of_angle(double u, double phi) const;
+
+	/// An orbital angle in those terms, which are the same for every eye.
+	using TableAngle = lensing_shader::Angle;
+	[[nodiscard]] static TableAngle table_angle(double phi);
+	/// The rays of many angles for one eye, to as many places.
+	void rays_of_angles(double u, const TableAngle *angles, std::size_t count, Ray *rays) const;
 
 	struct Angle {
 		/// Phi [rad] and dPhi/dy.
