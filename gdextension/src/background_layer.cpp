@@ -71,6 +71,7 @@ void BackgroundLayer::ensure() {
 	flat_shader = ResourceLoader::get_singleton()->load(
 			"res://addons/blackhole_sky/shaders/background_flat.gdshader");
 	material = server->material_create();
+	dressed = false;
 	server->material_set_render_priority(material, kRenderPriority);
 	server->material_set_param(material, "_panorama_is_light", true);
 	quad = make_screen_mesh(server);
@@ -171,11 +172,20 @@ void BackgroundLayer::apply(const SkySettings &settings) {
 	ensure();
 	RenderingServer *server = RenderingServer::get_singleton();
 	exposure = settings.exposure;
-	server->material_set_shader(material, shader(settings.shaders));
-	set_sky_uniforms(material, settings);
-	server->material_set_param(material, "_overlays", settings.overlays);
-	server->material_set_param(material, "_overlay_width", settings.overlay_width);
-	server->material_set_param(material, "_has_hole", settings.lensing);
+	if (!dressed || settings.shaders != current.shaders) {
+		server->material_set_shader(material, shader(settings.shaders));
+	}
+	if (!dressed || !has_equal_uniforms(settings, current)) {
+		set_sky_uniforms(material, settings);
+	}
+	if (!dressed || settings.overlays != current.overlays ||
+			settings.overlay_width != current.overlay_width || settings.lensing != current.lensing) {
+		server->material_set_param(material, "_overlays", settings.overlays);
+		server->material_set_param(material, "_overlay_width", settings.overlay_width);
+		server->material_set_param(material, "_has_hole", settings.lensing);
+	}
+	dressed = true;
+	current = settings;
 	overlaid = settings.overlays != 0;
 	show();
 	server->material_set_param(material, "_panorama_luminance", panorama_luminance * exposure);

@@ -6,6 +6,12 @@
 
 using namespace godot;
 
+bool has_equal_uniforms(const SkySettings &a, const SkySettings &b) {
+	return a.hole_position == b.hole_position && a.inverse_radius == b.inverse_radius &&
+			a.observer == b.observer && a.effects == b.effects && a.projection == b.projection &&
+			a.sky_to_world == b.sky_to_world && a.saturation == b.saturation;
+}
+
 void set_sky_uniforms(const RID &material, const SkySettings &settings) {
 	RenderingServer *server = RenderingServer::get_singleton();
 	const lensing_shader::Motion motion = lensing_shader::motion_of(settings.observer);

@@ -41,5 +41,8 @@ struct SkySettings {
 	uint32_t render_layers = 1;
 };
 
+/// Whether two settings have the same values for the uniforms that every layer has.
+bool has_equal_uniforms(const SkySettings &a, const SkySettings &b);
+
 /// Sets the uniforms of a material that every layer has.
 void set_sky_uniforms(const godot::RID &material, const SkySettings &settings);

@@ -113,6 +113,7 @@ void StarLayer::ensure_materials() {
 	for (std::size_t i = 0; i < kShaderNames.size() / 2; ++i) {
 		shaders[i] = load_shader(i);
 	}
+	dressed = false;
 	sprite = make_sprite_mesh(server, 1);
 	map_sprite = make_sprite_mesh(server, kMapCopies);
 	for (int order = 0; order < kMaxOrders; ++order) {
@@ -393,19 +394,30 @@ void StarLayer::apply(const SkySettings &settings) {
 			settings.image_orders == current.image_orders &&
 			settings.magnitude_limit == current.magnitude_limit &&
 			settings.render_layers == current.render_layers;
-	current = settings;
 	ensure_materials();
+	const bool uniform = dressed && has_equal_uniforms(settings, current);
+	const bool equal_stars = dressed && settings.shaders == current.shaders &&
+			settings.psf_model == current.psf_model && settings.psf_sigma == current.psf_sigma &&
+			settings.aperture == current.aperture && settings.glare == current.glare &&
+			settings.faint_limit == current.faint_limit &&
+			settings.magnitude_limit == current.magnitude_limit;
+	current = settings;
 	RenderingServer *server = RenderingServer::get_singleton();
 	for (int order = 0; order < kMaxOrders; ++order) {
 		const RID material = materials[static_cast<std::size_t>(order)];
-		server->material_set_shader(material, shader());
-		set_sky_uniforms(material, settings);
+		if (!equal_stars) {
+			server->material_set_shader(material, shader());
+			set_point_spread(material);
+			server->material_set_param(material, "_faint_limit", faint_limit(settings, order));
+			server->material_set_param(
+					material, "_flux_limit", std::pow(10.0, -0.4 * (settings.magnitude_limit + 1e-6)));
+		}
+		if (!uniform) {
+			set_sky_uniforms(material, settings);
+		}
 		server->material_set_param(material, "_exposure", blackhole::kStarGain * settings.exposure);
-		set_point_spread(material);
-		server->material_set_param(material, "_faint_limit", faint_limit(settings, order));
-		server->material_set_param(
-				material, "_flux_limit", std::pow(10.0, -0.4 * (settings.magnitude_limit + 1e-6)));
 	}
+	dressed = true;
 	// Flights and rides change other settings in each frame.
 	if (!arranged_alike) {
 		arrange(other_sprite);

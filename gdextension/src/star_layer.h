@@ -111,5 +111,6 @@ private:
 	double faintest_magnitude = 0.0;
 	SkySettings current;
 	bool layer_shown = true;
+	bool dressed = false;  ///< the materials have what the current settings say
 	bool arranged = false; ///< the groups have what the current settings ask for
 };

@@ -26,6 +26,8 @@ struct ObserverField {
 
 	ObserverField() = default;
 	ObserverField(ObserverMotion p_motion) : motion(p_motion) {} // NOLINT(google-explicit-constructor)
+
+	bool operator==(const ObserverField &) const = default;
 };
 
 /// The energy of a fall from rest at radius r [r_s] > 1: sqrt(1 - 1/r).
