@@ -28,10 +28,14 @@ var relative_to_static: bool = false
 var error: String = ""
 
 
-## Reads what the schema has passed; `position` is the eye's place in Schwarzschild radii.
-static func from_data(data: Variant, position: PackedFloat64Array) -> ShotObserver:
+## Reads what the schema has passed; `position` is the eye's place in Schwarzschild radii. Where
+## there is no hole, the place does not matter, and a velocity is one relative to the stars.
+static func from_data(
+	data: Variant, position: PackedFloat64Array, hole: bool = true
+) -> ShotObserver:
 	var observer := ShotObserver.new()
-	observer._read({"motion": data} if data is String else data, position)
+	var far_away: PackedFloat64Array = [INF, 0.0, 0.0]
+	observer._read({"motion": data} if data is String else data, position if hole else far_away)
 	return observer
 
 

@@ -38,6 +38,8 @@ const UPWARD: PackedFloat64Array = [0.0, 1.0, 0.0]
 var resolution := Vector2i(1280, 720)
 var vertical_fov_deg: float = VERTICAL_FOV_DEG
 var projection: BlackHoleSky.Projection = BlackHoleSky.PROJECTION_PERSPECTIVE
+## Whether there is a hole. Without it the eye is at rest or has a given velocity.
+var hole: bool = true
 ## Where the eye is, in double precision.
 var position: PackedFloat64Array = [0.0, 0.0, 10.0]
 ## Viewing direction and the picture's upward direction, unit vectors, in double precision.
@@ -112,6 +114,7 @@ func _read(data: Dictionary) -> void:
 	projection = PROJECTIONS.find(data.get("projection", PROJECTIONS[0])) as BlackHoleSky.Projection
 	renderer = data.get("renderer", renderer)
 	renderer_named = data.has("renderer")
+	hole = data.get("hole", hole)
 	if data.has("path"):
 		_read_path(data)
 	else:
@@ -151,14 +154,14 @@ func _read_pose(data: Dictionary) -> void:
 
 func _check_place() -> void:
 	var distance := Vec3D.length(position)
-	if distance < 1e-4:
+	if hole and distance < 1e-4:
 		error = "position_rs lies in the singularity; keep at least 0.0001 away from the origin."
 	elif distance > 1e12:
 		error = "position_rs is farther than 1e12 Schwarzschild radii."
 
 
 func _read_observer(data: Dictionary) -> void:
-	observer = ShotObserver.from_data(data.get("observer", "static"), position)
+	observer = ShotObserver.from_data(data.get("observer", "static"), position, hole)
 	error = observer.error
 
 

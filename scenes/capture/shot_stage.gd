@@ -56,7 +56,7 @@ func take_next(spec: ShotSpec) -> Image:
 
 
 func _draw(spec: ShotSpec, frames: int) -> Image:
-	# Without the hole the eye is at rest.
+	# Stars not lensed are as for an eye at rest; one that has no hole may fly.
 	_sky.observer = spec.observer.to_sky_observer() if spec.lensing else null
 	_aim(spec)
 	for frame in frames:
@@ -85,7 +85,7 @@ func _dress(spec: ShotSpec, refusal: PackedStringArray) -> bool:
 			_sky.catalogue = _catalogues[path]
 	_sky.magnitude_limit = spec.magnitude_limit
 	_sky.image_orders = spec.orders
-	_sky.lensing = 1.0 if spec.lensing else 0.0
+	_sky.lensing = 1.0 if spec.hole and spec.lensing else 0.0
 	spec.point_spread.apply_to(_sky)
 	_sky.exposure = spec.exposure_ev
 	spec.effects.apply_to(_sky)

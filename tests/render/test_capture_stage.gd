@@ -175,15 +175,6 @@ func _flat(view: ExactView, field: StarField) -> Array[StarField.Target]:
 func _csv(file_name: String, field: StarField) -> String:
 	var path := FOLDER.path_join(file_name)
 	var file := FileAccess.open(path, FileAccess.WRITE)
-	file.store_line("ra_deg,dec_deg,vmag,temperature_k")
-	for i in field.directions.size():
-		var star := field.directions[i]
-		var right_ascension := rad_to_deg(atan2(-star.z, star.x))
-		var declination := rad_to_deg(atan2(star.y, Vector2(star.x, star.z).length()))
-		file.store_line(
-			(
-				"%.9f,%.9f,%.6f,%.3f"
-				% [right_ascension, declination, field.magnitudes[i], field.temperatures[i]]
-			)
-		)
+	file.store_string(StarCsv.text(field.directions, field.magnitudes, field.temperatures))
+	file.close()
 	return path

@@ -181,6 +181,26 @@ func test_rain_goes_inside_the_horizon() -> void:
 		assert_eq(ShotSpec.from_data({"position_rs": [0, r, 0], "observer": "rain"}).error, "")
 
 
+func test_without_the_hole_any_place_will_do() -> void:
+	assert_true(ShotSpec.from_data({"position_rs": [0, 0, 10]}).hole)
+	for r: float in [0.0, 0.5, 1.0, 10.0]:
+		for observer: Variant in [
+			"static", {"motion": "velocity", "beta": [0, 0.6, 0], "relative_to": "static"}
+		]:
+			var data := {
+				"position_rs": [0, r, 0],
+				"look_at_rs": [0, r, 7],
+				"observer": observer,
+				"hole": false
+			}
+			var spec := ShotSpec.from_data(data)
+			assert_eq(spec.error, "")
+			assert_false(spec.hole)
+			_expect_vector(spec.forward, [0.0, 0.0, 1.0])
+	var nowhere := {"position_rs": [0, 0, 0], "hole": false}
+	assert_string_contains(ShotSpec.from_data(nowhere).error, "look_at_rs")
+
+
 func test_shots_from_files() -> void:
 	_folder.write_text("sky.csv", "ra_deg,dec_deg,vmag\n1,2,3\n")
 	var shot := '{"position_rs": [0, 0, 9], "stars": {"catalogue": "sky.csv"}}'
