@@ -37,12 +37,12 @@ public:
 
 private:
 	struct StarMap {
-		const blackhole::StarTable *table;
-		double magnitude_limit;
+		const blackhole::StarTable *table = nullptr;
+		double magnitude_limit = 0.0;
 		blackhole::SkyBrightness light;
 	};
 	struct PanoramaMap {
-		uint64_t texture;
+		uint64_t texture = 0;
 		blackhole::SkyBrightness light;
 	};
 	double shifted(const blackhole::SkyBrightness::Light &light, double shift) const;

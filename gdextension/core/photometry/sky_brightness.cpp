@@ -61,7 +61,7 @@ std::size_t SkyBrightness::cell(const glm::dvec3 &p_direction) {
 	}
 	const int column = place_on_face(place.x / place.z);
 	const int row = place_on_face(place.y / place.z);
-	return static_cast<std::size_t>((face * kSize + row) * kSize + column);
+	return static_cast<std::size_t>(face * kSize + row) * kSize + static_cast<std::size_t>(column);
 }
 
 SkyBrightness SkyBrightness::means(const Sums &p_sums) {

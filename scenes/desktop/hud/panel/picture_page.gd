@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: MIT
 class_name PicturePage
 extends VBoxContainer
-## Lines and names over the sky, whether the exposure adapts, how the light of a star spreads, how
-## the sky is laid out on the picture and on a map beside it, and how many images of each star there
-## are.
+## Lines and names over the sky, how the light of a star spreads, how the sky is laid out on the
+## picture and on a map beside it, and how many images of each star there are.
 
 var sky: BlackHoleSky
 var overlays: SkyOverlays
@@ -11,7 +10,6 @@ var map: MapWindow
 
 @onready var _constellations: CheckBox = %Constellations
 @onready var _star_names: CheckBox = %StarNames
-@onready var _adapting: CheckBox = %Adapting
 @onready var _spread: Stepper = %Spread
 @onready var _projection: Stepper = %Projection
 @onready var _map: Stepper = %MapBeside
@@ -32,7 +30,6 @@ func _ready() -> void:
 	_star_names.toggled.connect(overlays.want_star_names)
 	for line in _lines:
 		_lines[line].toggled.connect(func(on: bool) -> void: overlays.want(line, on))
-	_adapting.toggled.connect(func(on: bool) -> void: sky.auto_exposure = on)
 	_spread.chosen.connect(_on_spread_chosen)
 	_projection.chosen.connect(_on_projection_chosen)
 	_map.chosen.connect(_on_map_chosen)
@@ -44,7 +41,6 @@ func refresh() -> void:
 	_star_names.set_pressed_no_signal(overlays.are_star_names_shown())
 	for line in _lines:
 		_lines[line].set_pressed_no_signal(sky.overlays & line != 0)
-	_adapting.set_pressed_no_signal(sky.auto_exposure)
 	_spread.titles = spread_titles(sky.aperture_mm)
 	_spread.at = sky.psf_model
 	_projection.titles = projection_titles()
