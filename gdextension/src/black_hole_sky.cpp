@@ -17,17 +17,13 @@
 #include "src/glm_adapter.h"
 #include "src/image_projector.h"
 #include "src/planck_texture.h"
+#include "src/property_limits.h"
 
 using namespace godot;
 
 namespace {
 
 constexpr double kLargest = 1e30; // of lengths and luminances, within single precision
-
-/// A new value of a property within its limits; what is no number leaves it as it was.
-double limited(double value, double low, double high, double present) {
-	return std::isnan(value) ? present : std::clamp(value, low, high);
-}
 
 } // namespace
 
@@ -67,6 +63,7 @@ void BlackHoleSky::enter_world() {
 	// The last moment before drawing: cameras have moved by then, so nothing lags a frame behind.
 	RenderingServer::get_singleton()->connect(
 			"frame_pre_draw", callable_mp(this, &BlackHoleSky::before_draw));
+	exposure_meter.begin();
 	apply_settings();
 }
 
@@ -140,7 +137,8 @@ void BlackHoleSky::apply_settings() {
 		settings.effects &= ~(EFFECT_DEFLECTION | EFFECT_GRAVITATIONAL_SHIFT);
 	}
 	settings.saturation = saturation;
-	settings.exposure = std::exp2(exposure);
+	applied_exposure = get_effective_exposure();
+	settings.exposure = std::exp2(applied_exposure);
 	settings.psf_model = static_cast<blackhole::PointSpread>(psf_model);
 	settings.psf_sigma = psf_sigma;
 	settings.aperture = 1e-3 * aperture_mm;
@@ -157,6 +155,9 @@ void BlackHoleSky::apply_settings() {
 void BlackHoleSky::before_draw() {
 	const auto start = std::chrono::steady_clock::now();
 	const std::vector<WatchingEye> &eyes = eye_tracker.eyes_in(get_world_3d());
+	if (auto_exposure && !eyes.empty() && can_process() && is_visible_in_tree()) {
+		meter(eyes.front(), get_process_delta_time(), false);
+	}
 	if (settings_dirty) {
 		apply_settings();
 	}
@@ -168,6 +169,7 @@ void BlackHoleSky::before_draw() {
 }
 
 void BlackHoleSky::catalogue_changed() {
+	exposure_meter.forget_stars();
 	if (catalogue.is_valid()) {
 		star_layer.build(catalogue->table());
 		if (is_inside_tree()) {

@@ -12,6 +12,7 @@
 #include <godot_cpp/variant/packed_string_array.hpp>
 
 #include "src/background_layer.h"
+#include "src/exposure_meter.h"
 #include "src/eye_tracker.h"
 #include "src/lensing_table.h"
 #include "src/sky_observer.h"
@@ -115,6 +116,17 @@ public:
 	Projection get_projection() const { return projection; }
 	void set_exposure(double ev);
 	double get_exposure() const { return exposure; }
+	void set_auto_exposure(bool on);
+	bool is_auto_exposure() const { return auto_exposure; }
+	void set_auto_exposure_min_ev(double ev);
+	double get_auto_exposure_min_ev() const { return exposure_meter.limits.least; }
+	void set_auto_exposure_max_ev(double ev);
+	double get_auto_exposure_max_ev() const { return exposure_meter.limits.most; }
+	void set_adaptation_speed(double factor);
+	double get_adaptation_speed() const { return exposure_meter.speed; }
+	double get_effective_exposure() const;
+	void adapt(double seconds);
+	void adapt_at_once();
 	void set_background(Background kind);
 	Background get_background() const { return background; }
 	void set_panorama(const godot::Ref<godot::Texture2D> &texture);
@@ -147,6 +159,8 @@ private:
 	void catalogue_changed();
 	void table_changed();
 	void before_draw();
+	void meter(const WatchingEye &eye, double seconds, bool all);
+	void meter_now(double seconds);
 	void node_added(godot::Node *node);
 	void node_removed(godot::Node *node);
 	bool is_lensing() const;
@@ -158,6 +172,7 @@ private:
 	BackgroundLayer background_layer;
 	EyeTracker eye_tracker;
 	StarChoice star_choice;
+	ExposureMeter exposure_meter;
 	SkySettings settings;
 
 	double schwarzschild_radius = 1.0;
@@ -183,6 +198,8 @@ private:
 	double glare = 0.616;
 	double faint_limit = 5e-5;
 	double exposure = 0.0;
+	bool auto_exposure = false;
+	double applied_exposure = 0.0; ///< EV, of the settings
 	Background background = BACKGROUND_NONE;
 	godot::Ref<godot::Texture2D> panorama;
 	double panorama_luminance = 1.0;

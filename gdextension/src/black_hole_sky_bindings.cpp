@@ -110,6 +110,17 @@ void BlackHoleSky::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_projection"), &BlackHoleSky::get_projection);
 	ClassDB::bind_method(D_METHOD("set_exposure", "ev"), &BlackHoleSky::set_exposure);
 	ClassDB::bind_method(D_METHOD("get_exposure"), &BlackHoleSky::get_exposure);
+	ClassDB::bind_method(D_METHOD("set_auto_exposure", "on"), &BlackHoleSky::set_auto_exposure);
+	ClassDB::bind_method(D_METHOD("is_auto_exposure"), &BlackHoleSky::is_auto_exposure);
+	ClassDB::bind_method(D_METHOD("set_auto_exposure_min_ev", "ev"), &BlackHoleSky::set_auto_exposure_min_ev);
+	ClassDB::bind_method(D_METHOD("get_auto_exposure_min_ev"), &BlackHoleSky::get_auto_exposure_min_ev);
+	ClassDB::bind_method(D_METHOD("set_auto_exposure_max_ev", "ev"), &BlackHoleSky::set_auto_exposure_max_ev);
+	ClassDB::bind_method(D_METHOD("get_auto_exposure_max_ev"), &BlackHoleSky::get_auto_exposure_max_ev);
+	ClassDB::bind_method(D_METHOD("set_adaptation_speed", "factor"), &BlackHoleSky::set_adaptation_speed);
+	ClassDB::bind_method(D_METHOD("get_adaptation_speed"), &BlackHoleSky::get_adaptation_speed);
+	ClassDB::bind_method(D_METHOD("get_effective_exposure"), &BlackHoleSky::get_effective_exposure);
+	ClassDB::bind_method(D_METHOD("adapt", "seconds"), &BlackHoleSky::adapt);
+	ClassDB::bind_method(D_METHOD("adapt_at_once"), &BlackHoleSky::adapt_at_once);
 	ClassDB::bind_method(D_METHOD("set_background", "kind"), &BlackHoleSky::set_background);
 	ClassDB::bind_method(D_METHOD("get_background"), &BlackHoleSky::get_background);
 	ClassDB::bind_method(D_METHOD("set_panorama", "texture"), &BlackHoleSky::set_panorama);
@@ -202,6 +213,16 @@ void BlackHoleSky::_bind_methods() {
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "exposure", PROPERTY_HINT_RANGE,
 						 "-10,10,0.1,or_less,or_greater,suffix:EV"),
 			"set_exposure", "get_exposure");
+	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "auto_exposure"), "set_auto_exposure", "is_auto_exposure");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "auto_exposure_min_ev", PROPERTY_HINT_RANGE,
+						 "-20,20,0.1,or_less,or_greater,suffix:EV"),
+			"set_auto_exposure_min_ev", "get_auto_exposure_min_ev");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "auto_exposure_max_ev", PROPERTY_HINT_RANGE,
+						 "-20,20,0.1,or_less,or_greater,suffix:EV"),
+			"set_auto_exposure_max_ev", "get_auto_exposure_max_ev");
+	ADD_PROPERTY(
+			PropertyInfo(Variant::FLOAT, "adaptation_speed", PROPERTY_HINT_RANGE, "0,10,0.01,or_greater"),
+			"set_adaptation_speed", "get_adaptation_speed");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "saturation", PROPERTY_HINT_RANGE, "0,4,0.01"),
 			"set_saturation", "get_saturation");
 	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "redshift_map"), "set_redshift_map", "is_redshift_map_shown");

@@ -58,6 +58,8 @@ var orders: int = 2
 var lensing: bool = true
 var psf_sigma_px: float = 1.0
 var exposure_ev: float = 0.0
+## Null: the exposure is `exposure_ev`.
+var auto_exposure: ShotAutoExposure
 var effects := ShotEffects.new()
 var point_spread := ShotPointSpread.new()
 ## Bits of BlackHoleSky.Overlay.
@@ -126,7 +128,7 @@ func _read(data: Dictionary) -> void:
 	if error.is_empty():
 		effects = ShotEffects.from_data(data.get("effects", {}))
 		point_spread = ShotPointSpread.from_data(data.get("psf", {"sigma_px": psf_sigma_px}))
-		exposure_ev = data.get("exposure", exposure_ev)
+		_read_exposure(data.get("exposure", exposure_ev))
 		_read_overlays(data.get("overlays", []))
 
 
@@ -205,6 +207,14 @@ func _read_background(data: Dictionary) -> void:
 	background = Background.FILE if known < 0 else known as Background
 	if background == Background.FILE:
 		background_file = _find_file(source, "background")
+
+
+func _read_exposure(value: Variant) -> void:
+	auto_exposure = ShotAutoExposure.from_data(value)
+	if auto_exposure == null:
+		exposure_ev = value
+	elif auto_exposure.min_ev > auto_exposure.max_ev:
+		error = "exposure: min_ev lies above max_ev; swap them."
 
 
 func _read_overlays(names: Array) -> void:

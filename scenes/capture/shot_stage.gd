@@ -25,6 +25,8 @@ func _init() -> void:
 	# The Compatibility renderer draws in display values; there is no linear picture to keep.
 	_viewport.use_hdr_2d = (RenderingServer.get_current_rendering_method() != "gl_compatibility")
 	_sky.faint_limit = 1e-6
+	# Exposures adapt in a film's time, not in that of its making.
+	_sky.process_mode = Node.PROCESS_MODE_DISABLED
 	_viewport.msaa_3d = Viewport.MSAA_DISABLED
 	_viewport.render_target_update_mode = SubViewport.UPDATE_DISABLED
 	_camera.keep_aspect = Camera3D.KEEP_HEIGHT
@@ -47,18 +49,25 @@ func take(spec: ShotSpec, refusal: PackedStringArray) -> Image:
 	if not _dress(spec, refusal):
 		return null
 	_viewport.size = spec.resolution
-	return await _draw(spec, WARM_UP_FRAMES)
+	_place(spec)
+	_sky.adapt_at_once()
+	return await _draw(WARM_UP_FRAMES)
 
 
 ## Takes the next picture of a sequence, whose first take() has taken: the same sky from elsewhere.
 func take_next(spec: ShotSpec) -> Image:
-	return await _draw(spec, 1)
+	_place(spec)
+	_sky.adapt(1.0 / spec.sequence.fps)
+	return await _draw(1)
 
 
-func _draw(spec: ShotSpec, frames: int) -> Image:
+func _place(spec: ShotSpec) -> void:
 	# Stars not lensed are as for an eye at rest; one that has no hole may fly.
 	_sky.observer = spec.observer.to_sky_observer() if spec.lensing else null
 	_aim(spec)
+
+
+func _draw(frames: int) -> Image:
 	for frame in frames:
 		_viewport.render_target_update_mode = SubViewport.UPDATE_ONCE
 		await RenderingServer.frame_post_draw
@@ -87,7 +96,11 @@ func _dress(spec: ShotSpec, refusal: PackedStringArray) -> bool:
 	_sky.image_orders = spec.orders
 	_sky.lensing = 1.0 if spec.hole and spec.lensing else 0.0
 	spec.point_spread.apply_to(_sky)
-	_sky.exposure = spec.exposure_ev
+	if spec.auto_exposure != null:
+		spec.auto_exposure.apply_to(_sky)
+	else:
+		_sky.auto_exposure = false
+		_sky.exposure = spec.exposure_ev
 	spec.effects.apply_to(_sky)
 	_sky.projection = spec.projection
 	_sky.overlays = spec.overlays

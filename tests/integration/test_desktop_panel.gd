@@ -166,6 +166,21 @@ func test_observer_mass_and_saturation() -> void:
 	assert_almost_eq(_sky.saturation, 2.5, 1e-6)
 
 
+func test_the_exposure_adapts_when_asked_to() -> void:
+	_panel.toggle()
+	assert_false(_sky.auto_exposure)
+	_box("Adapting").button_pressed = true
+	assert_true(_sky.auto_exposure)
+	var readouts: Readouts = _scene.get_node("%Readouts")
+	readouts.update()
+	assert_string_contains((readouts.get_node("%Picture") as Label).text, "auto")
+	_sky.adapt_at_once()
+	var ev := _sky.get_effective_exposure()
+	assert_almost_eq(ev, _sky.exposure, 1.0, "the first view is near the key")
+	_box("Adapting").button_pressed = false
+	assert_eq(_sky.get_effective_exposure(), _sky.exposure)
+
+
 func test_the_legend_is_there_while_the_map_is() -> void:
 	var legend: Control = _scene.get_node("%Legend")
 	await wait_process_frames(2)

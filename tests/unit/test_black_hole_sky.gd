@@ -25,6 +25,10 @@ func test_defaults() -> void:
 	assert_eq(_sky.aperture_mm, 5.0)
 	assert_eq(_sky.glare, 0.616)
 	assert_eq(_sky.exposure, 0.0)
+	assert_false(_sky.auto_exposure)
+	assert_eq(_sky.auto_exposure_min_ev, -10.0)
+	assert_eq(_sky.auto_exposure_max_ev, 6.0)
+	assert_eq(_sky.adaptation_speed, 1.0)
 	assert_eq(_sky.background, BlackHoleSky.BACKGROUND_NONE)
 	assert_null(_sky.panorama)
 	assert_eq(_sky.render_layers, 1)
@@ -74,6 +78,13 @@ func test_properties_keep_what_they_are_given_within_limits(
 			["faint_limit", 0.0, 1e-9],
 			["exposure", -3.5, -3.5],
 			["exposure", 1e3, 60.0],
+			["auto_exposure", true, true],
+			["auto_exposure_min_ev", -3.5, -3.5],
+			["auto_exposure_min_ev", -1e3, -40.0],
+			["auto_exposure_max_ev", 3.5, 3.5],
+			["auto_exposure_max_ev", 1e3, 60.0],
+			["adaptation_speed", 2.5, 2.5],
+			["adaptation_speed", -1.0, 0.0],
 			["background", 1, 1],
 			["panorama_luminance", 0.5, 0.5],
 			["panorama_luminance", -0.5, 0.0],
@@ -97,6 +108,9 @@ func test_numbers_that_are_none_are_not_taken_over(
 			"glare",
 			"faint_limit",
 			"exposure",
+			"auto_exposure_min_ev",
+			"auto_exposure_max_ev",
+			"adaptation_speed",
 			"panorama_luminance",
 		]
 	)

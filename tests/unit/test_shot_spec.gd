@@ -70,6 +70,26 @@ func test_every_key() -> void:
 	assert_eq(spec.background, ShotSpec.Background.MILKY_WAY)
 
 
+func test_automatic_exposure() -> void:
+	var spec := ShotSpec.from_data({"position_rs": [0, 0, 10], "exposure": 2})
+	assert_null(spec.auto_exposure)
+	assert_eq(spec.exposure_ev, 2.0)
+	spec = ShotSpec.from_data({"position_rs": [0, 0, 10], "exposure": "auto"})
+	var sky: BlackHoleSky = autofree(BlackHoleSky.new())
+	var least := sky.auto_exposure_min_ev
+	var most := sky.auto_exposure_max_ev
+	spec.auto_exposure.apply_to(sky)
+	assert_true(sky.auto_exposure)
+	assert_eq(sky.auto_exposure_min_ev, least, "the node's defaults")
+	assert_eq(sky.auto_exposure_max_ev, most)
+	var wish := {"mode": "auto", "compensation_ev": 1.5, "max_ev": -11, "min_ev": -12}
+	spec = ShotSpec.from_data({"position_rs": [0, 0, 10], "exposure": wish})
+	spec.auto_exposure.apply_to(sky)
+	assert_eq(sky.exposure, 1.5)
+	assert_eq(sky.auto_exposure_min_ev, -12.0)
+	assert_eq(sky.auto_exposure_max_ev, -11.0)
+
+
 func test_no_stars() -> void:
 	var spec := ShotSpec.from_data({"position_rs": [0, 0, 10], "stars": null})
 	assert_eq(spec.error, "")

@@ -30,6 +30,7 @@ Motion motion_of(const blackhole::ObserverField &observer);
 /// Every effect of effects.gdshaderinc.
 inline constexpr int kAllEffects = 31;
 inline constexpr int kAberration = 2;
+inline constexpr int kDoppler = 8;
 
 struct Ray {
 	float clearance;

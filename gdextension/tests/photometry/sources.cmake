@@ -2,6 +2,10 @@
 blackhole_add_test(test_planck ${CMAKE_CURRENT_LIST_DIR}/test_planck.cpp)
 blackhole_add_test(test_colour_index ${CMAKE_CURRENT_LIST_DIR}/test_colour_index.cpp)
 blackhole_add_test(test_radiometry ${CMAKE_CURRENT_LIST_DIR}/test_radiometry.cpp)
+blackhole_add_test(test_exposure
+	${CMAKE_CURRENT_LIST_DIR}/test_adaptation.cpp
+	${CMAKE_CURRENT_LIST_DIR}/test_light_meter.cpp
+	${CMAKE_CURRENT_LIST_DIR}/test_sky_brightness.cpp)
 blackhole_add_test(test_planck_table
 	${CMAKE_CURRENT_LIST_DIR}/test_planck_table.cpp
 	${CMAKE_CURRENT_LIST_DIR}/planck_shader.cpp)

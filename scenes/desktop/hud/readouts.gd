@@ -49,9 +49,14 @@ func update() -> void:
 		% [
 			ReadoutText.background(sky.background),
 			ReadoutText.image_orders(sky.image_orders),
-			ReadoutText.exposure(sky.exposure),
+			_exposure_text(),
 		]
 	)
+
+
+func _exposure_text() -> String:
+	var text := ReadoutText.exposure(sky.get_effective_exposure())
+	return tr("auto, %s") % text if sky.auto_exposure else text
 
 
 func _eye() -> Vector3:

@@ -7,7 +7,9 @@ extends TextureRect
 ## Render layer of the second sky, which only the map's camera sees.
 const LAYER: int = 2
 ## What the second sky does not take over from the first.
-const OWN: PackedStringArray = ["projection", "render_layers", "exposure", "panorama_luminance"]
+const OWN: PackedStringArray = [
+	"projection", "render_layers", "exposure", "auto_exposure", "panorama_luminance"
+]
 ## A map's pixel is far larger than a picture's, and stars are fainter beside it by that; so many
 ## EV give them back, at no change of the background.
 const STAR_GAIN: float = 1.5
@@ -87,7 +89,7 @@ func follow() -> void:
 		var value: Variant = sky.get(property)
 		if _map_sky.get(property) != value:
 			_map_sky.set(property, value)
-	_map_sky.exposure = sky.exposure + STAR_GAIN
+	_map_sky.exposure = sky.get_effective_exposure() + STAR_GAIN
 	_map_sky.panorama_luminance = sky.panorama_luminance * pow(2.0, -STAR_GAIN)
 	_map_sky.projection = projection
 	_map_sky.global_transform = sky.global_transform

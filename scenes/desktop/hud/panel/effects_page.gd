@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 class_name EffectsPage
 extends VBoxContainer
-## Switches for each effect of the light's way, the redshift map and the stars, and how strong
-## colours are.
+## Switches for each effect of the light's way, the redshift map, the stars and the adapting
+## exposure, and how strong colours are.
 
 var sky: BlackHoleSky
 
@@ -17,6 +17,7 @@ var _inside: bool = false
 @onready var _reason: Label = %Reason
 @onready var _redshift_map: CheckBox = %RedshiftMap
 @onready var _stars: CheckBox = %Stars
+@onready var _adapting: CheckBox = %Adapting
 @onready var _saturation: HSlider = %Saturation
 @onready var _saturation_value: Label = %SaturationValue
 
@@ -30,6 +31,7 @@ func _ready() -> void:
 	_higher_orders.toggled.connect(func(on: bool) -> void: sky.effect_higher_orders = on)
 	_redshift_map.toggled.connect(func(on: bool) -> void: sky.redshift_map = on)
 	_stars.toggled.connect(func(on: bool) -> void: sky.stars_visible = on)
+	_adapting.toggled.connect(func(on: bool) -> void: sky.auto_exposure = on)
 	_saturation.value_changed.connect(func(value: float) -> void: sky.saturation = value)
 
 
@@ -51,6 +53,7 @@ func refresh(inside: bool) -> void:
 	_higher_orders.set_pressed_no_signal(sky.effect_higher_orders)
 	_redshift_map.set_pressed_no_signal(sky.redshift_map)
 	_stars.set_pressed_no_signal(sky.stars_visible)
+	_adapting.set_pressed_no_signal(sky.auto_exposure)
 	_saturation.set_value_no_signal(sky.saturation)
 	_saturation_value.text = "%.2f" % sky.saturation
 
