@@ -53,6 +53,25 @@ func test_uniform_sky_of_a_black_body(
 			assert_lt(colour.abs()[colour.abs().max_axis_index()], COLOUR_TOLERANCE, whose)
 
 
+func test_no_tint_is_left_of_a_large_shift() -> void:
+	if not SkyBooth.is_linear():
+		pending("Compatibility clips at white")
+		return
+	var kelvin := 9000.0
+	# Greener than any black body.
+	_booth.sky.panorama = _even(PlanckLight.colour(kelvin) * Vector3(0.01, 0.015, 0.01))
+	var view := ExactView.new(Vector3(0, 0, 0.8), LensingTable.MOTION_RAIN)
+	view.look_beside(3.0, Vector3.UP)
+	var ray: Dictionary = view.observer.trace(view.place, Vec3D.to_vector3(view.forward))
+	var g: float = ray["redshift"]
+	assert_lt(g, 0.5)
+	_booth.aim(view)
+	var seen := PicturePatch.colour(await _booth.take(), Vector2i(640, 360))
+	var expected := PlanckLight.colour(g * kelvin)
+	var colour := seen / _grey(seen) - expected / _grey(expected)
+	assert_lt(colour.abs()[colour.abs().max_axis_index()], COLOUR_TOLERANCE)
+
+
 func test_a_chart_keeps_its_colours() -> void:
 	_booth.sky.panorama_is_light = false
 	_booth.sky.panorama = _even(Vector3(0.2, 0.3, 0.1))
