@@ -2,6 +2,7 @@
 #include "lut_cli/reference_columns.h"
 
 #include "core/relativity/star_image.h"
+#include "lut_cli/disk_columns.h"
 #include "lut_cli/ray_columns.h"
 
 #include <cmath>
@@ -49,6 +50,20 @@ std::string reject_gshift(Inputs in) {
 	return std::isfinite(in[2]) ? "" : "psi must be a number";
 }
 
+std::string reject_disk(Inputs in) {
+	if (!(in[1] >= 0.0 && in[1] <= std::numbers::pi)) {
+		return "inc must lie between 0 and pi";
+	}
+	if (!(in[2] > 0.0 && in[2] < std::numbers::pi)) {
+		return "xi must lie between 0 and pi";
+	}
+	return std::isfinite(in[3]) ? reject_place(in) : "psi must be a number";
+}
+
+std::string reject_radius(Inputs in) {
+	return in[0] > 0.0 ? "" : "r must be > 0";
+}
+
 std::string reject_deflection(Inputs in) {
 	return in[0] > 0.0 ? "" : "b must be > 0";
 }
@@ -83,6 +98,11 @@ const std::vector<ReferenceKind> &reference_kinds() {
 					reject_gshift, ray_columns::gshift},
 			{"deflection", 1, {"b", "b_over_bc_minus_1", "alpha", "alpha_weak4", "alpha_strong", "r_min"},
 					reject_deflection, ray_columns::deflection},
+			{"disk_static", 4, {"u_o", "inc", "xi", "psi", "r0", "g0", "r1", "g1", "r2", "g2"}, reject_disk,
+					disk_columns::disk_static},
+			{"disk_rain", 4, {"u_o", "inc", "xi", "psi", "r0", "g0", "r1", "g1", "r2", "g2"}, reject_disk,
+					disk_columns::disk_rain},
+			{"page_thorne", 1, {"r", "F_shape", "F_rel", "T_rel"}, reject_radius, disk_columns::page_thorne},
 	};
 	return kinds;
 }

@@ -63,6 +63,17 @@ const std::map<std::string, Tolerance> &tolerances() {
 			// cosine.
 			{"d1", {2e-12, 2e-12}},
 			{"g_circ", {1e-13, 1e-13}},
+			// The disk, which no lensing table has a part in. Light that looks almost along the plane reaches
+			// it far out, at an angle that is a small difference.
+			{"r0", {2e-11, 2e-11}},
+			{"r1", {2e-12, 2e-12}},
+			{"r2", {2e-12, 2e-12}},
+			{"g0", {2e-12, 2e-12}},
+			{"g1", {2e-12, 2e-12}},
+			{"g2", {2e-12, 2e-12}},
+			{"F_shape", {kRounding, kRounding}},
+			{"F_rel", {kRounding, kRounding}},
+			{"T_rel", {kRounding, kRounding}},
 	};
 	return table;
 }
@@ -112,7 +123,7 @@ TEST_P(ReferenceColumns, TabulatedValuesAgree) {
 
 INSTANTIATE_TEST_SUITE_P(Files, ReferenceColumns,
 		testing::Values("inverse_static", "inverse_rain", "forward_static", "forward_rain", "images", "rings",
-				"shadow", "deflection", "gshift"),
+				"shadow", "deflection", "gshift", "disk_static", "disk_rain", "page_thorne"),
 		[](const auto &test) { return test.param; });
 
 } // namespace
