@@ -101,8 +101,9 @@ func test_blueshifted_light_near_the_horizon_asks_for_less() -> void:
 
 func test_what_was_just_turned_counts() -> void:
 	var picture := Image.create(PIXELS.x, PIXELS.y, false, Image.FORMAT_RGBF)
-	picture.fill_rect(Rect2i(0, 0, PIXELS.x / 2, PIXELS.y), Color(KEY, KEY, KEY))
-	picture.fill_rect(Rect2i(PIXELS.x / 2, 0, PIXELS.x / 2, PIXELS.y), Color.WHITE)
+	var half := Vector2i(PIXELS.x >> 1, PIXELS.y)
+	picture.fill_rect(Rect2i(Vector2i.ZERO, half), Color(KEY, KEY, KEY))
+	picture.fill_rect(Rect2i(Vector2i(half.x, 0), half), Color.WHITE)
 	_sky.panorama = ImageTexture.create_from_image(picture)
 	_look(10.0, Vector3.LEFT)
 	var left := _adapted()
