@@ -63,7 +63,10 @@ func test_effects_that_allow_no_choice_cost_no_memory() -> void:
 	var again := await booth.take()
 	var fresh := _booth()
 	fresh.aim(_view(4.0))
-	assert_eq(_different_pixels(again, await fresh.take()), 0, "pixels when all effects are back")
+	# In 8 bits each star that is added is rounded, so a few sums depend on their order.
+	var most := 0 if SkyBooth.is_linear() else 5
+	var differing := _different_pixels(again, await fresh.take())
+	assert_lte(differing, most, "pixels when all effects are back")
 
 
 func test_no_catalogue_takes_no_memory() -> void:
