@@ -170,6 +170,8 @@ void StarLayer::make_images(std::size_t group, int order) {
 	images.instance = server->instance_create();
 	server->instance_set_base(images.instance, images.multimesh);
 	server->instance_set_custom_aabb(images.instance, everywhere());
+	// One order of drawing, whatever buffers have been made: sums in 8 bits depend on it.
+	server->instance_set_pivot_data(images.instance, static_cast<float>(group), true);
 	server->instance_set_visible(images.instance, false);
 	server->instance_set_layer_mask(images.instance, current.render_layers);
 	server->instance_geometry_set_material_override(
