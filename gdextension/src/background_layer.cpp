@@ -101,7 +101,7 @@ void BackgroundLayer::clear() {
 void BackgroundLayer::show() {
 	if (instance.is_valid()) {
 		RenderingServer::get_singleton()->instance_set_visible(
-				instance, layer_shown && (source != 0 || redshift_map || overlaid));
+				instance, layer_shown && (source != 0 || redshift_map || current.overlays != 0));
 	}
 }
 
@@ -151,7 +151,7 @@ void BackgroundLayer::set_source(int kind, const RID &panorama, double luminance
 	server->material_set_param(material, "_panorama", panorama);
 	server->material_set_param(
 			material, "_panorama_is_srgb", panorama.is_valid() && arrives_as_srgb(server, panorama));
-	server->material_set_param(material, "_panorama_luminance", panorama_luminance * exposure);
+	server->material_set_param(material, "_panorama_luminance", panorama_luminance * current.exposure);
 	show();
 }
 
@@ -171,7 +171,6 @@ RID BackgroundLayer::shader(SkyShaders needed) const {
 void BackgroundLayer::apply(const SkySettings &settings) {
 	ensure();
 	RenderingServer *server = RenderingServer::get_singleton();
-	exposure = settings.exposure;
 	if (!dressed || settings.shaders != current.shaders) {
 		server->material_set_shader(material, shader(settings.shaders));
 	}
@@ -186,8 +185,7 @@ void BackgroundLayer::apply(const SkySettings &settings) {
 	}
 	dressed = true;
 	current = settings;
-	overlaid = settings.overlays != 0;
 	show();
-	server->material_set_param(material, "_panorama_luminance", panorama_luminance * exposure);
+	server->material_set_param(material, "_panorama_luminance", panorama_luminance * settings.exposure);
 	server->instance_set_layer_mask(instance, settings.render_layers);
 }

@@ -44,11 +44,9 @@ private:
 	godot::RID instance;
 	godot::RID scenario;
 	double panorama_luminance = 1.0;
-	double exposure = 1.0;
 	SkySettings current;
 	bool dressed = false; ///< the material has what the current settings say
 	int source = 0;
 	bool redshift_map = false;
-	bool overlaid = false;
 	bool layer_shown = true;
 };

@@ -16,7 +16,6 @@ using namespace godot;
 
 namespace {
 
-constexpr double kNearest = 1e-6; // r_s; the shader looks no closer
 /// In which all directions are metered anew: 12 a frame at 60 frames a second.
 constexpr double kRoundSeconds = 0.2;
 constexpr double kFewest = 4.0; // directions a frame
@@ -82,10 +81,7 @@ void ExposureMeter::begin_from(double ev) {
 void ExposureMeter::measure(const View &view, std::size_t directions) {
 	light.use(view.sources);
 	const SkySettings &settings = view.settings;
-	glm::dvec3 place = (view.eye.place - to_glm(settings.hole_position)) * settings.inverse_radius;
-	if (!(glm::length(place) > kNearest)) {
-		place = glm::dvec3(0.0, 0.0, kNearest);
-	}
+	const glm::dvec3 place = place_in_radii(settings, view.eye.place);
 	const glm::dmat3 to_world = axes(view.eye);
 	const double reach = half_angle(settings, view.eye);
 	const Basis to_sky = settings.sky_to_world.transposed();

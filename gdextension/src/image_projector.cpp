@@ -4,8 +4,6 @@
 #include <godot_cpp/classes/viewport.hpp>
 #include <godot_cpp/variant/projection.hpp>
 
-#include <glm/geometric.hpp>
-
 #include "core/projection/sky_map.h"
 #include "core/relativity/observer.h"
 #include "core/tables/shader_lensing.h"
@@ -14,8 +12,6 @@
 using namespace godot;
 
 namespace {
-
-constexpr double kNearest = 1e-6; // r_s; the shader looks no closer
 
 /// The direction in which the image is seen, world axes.
 Vector3 seen_direction(const SkySettings &settings, const blackhole::LensingTables *tables,
@@ -26,10 +22,7 @@ Vector3 seen_direction(const SkySettings &settings, const blackhole::LensingTabl
 				(settings.effects & lensing_shader::kAberration) != 0;
 		return flies ? to_godot(blackhole::boost_direction(to_glm(star), settings.observer.celerity)) : star;
 	}
-	glm::dvec3 place = to_glm(eye - settings.hole_position) * settings.inverse_radius;
-	if (!(glm::length(place) > kNearest)) {
-		place = glm::dvec3(0.0, 0.0, kNearest);
-	}
+	const glm::dvec3 place = place_in_radii(settings, to_glm(eye));
 	const auto image = blackhole::ShaderLensing(*tables).star_image(
 			glm::vec3(place), glm::vec3(to_glm(star)), order, settings.observer, 0.0F, settings.effects);
 	return to_godot(glm::dvec3(image.direction));

@@ -1,10 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "src/sky_settings.h"
 
+#include <glm/geometric.hpp>
+
 #include <godot_cpp/classes/rendering_server.hpp>
 #include <godot_cpp/variant/vector4.hpp>
 
+#include "src/glm_adapter.h"
+
 using namespace godot;
+
+glm::dvec3 place_in_radii(const SkySettings &settings, const glm::dvec3 &place) {
+	const glm::dvec3 from_hole = (place - to_glm(settings.hole_position)) * settings.inverse_radius;
+	return glm::length(from_hole) > kNearestPlace ? from_hole : glm::dvec3(0.0, 0.0, kNearestPlace);
+}
 
 bool has_equal_uniforms(const SkySettings &a, const SkySettings &b) {
 	return a.hole_position == b.hole_position && a.inverse_radius == b.inverse_radius &&

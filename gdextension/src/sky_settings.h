@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <glm/vec3.hpp>
+
 #include <godot_cpp/variant/basis.hpp>
 #include <godot_cpp/variant/rid.hpp>
 #include <godot_cpp/variant/vector3.hpp>
@@ -40,6 +42,12 @@ struct SkySettings {
 	int image_orders = 2;
 	uint32_t render_layers = 1;
 };
+
+/// The shaders look no closer [r_s].
+inline constexpr double kNearestPlace = 1e-6;
+
+/// A place (world) from the hole, in r_s and world axes; one at the hole is put kNearestPlace beside it.
+glm::dvec3 place_in_radii(const SkySettings &settings, const glm::dvec3 &place);
 
 /// Whether two settings have the same values for the uniforms that every layer has.
 bool has_equal_uniforms(const SkySettings &a, const SkySettings &b);

@@ -15,7 +15,6 @@ using namespace godot;
 namespace {
 
 constexpr double kTwoPi = 6.283185307179586;
-constexpr double kNearest = 1e-6; // r_s; the shader looks no closer
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Reserves beyond these would have too many stars drawn: eyes that fast are chosen for in each frame.
 constexpr double kLargestReserve = 0.2; // rad
@@ -61,7 +60,7 @@ Movement movement(const WatchingEye &from, const WatchingEye &to, const SkySetti
 	const double r_b = glm::length(b);
 	const double horizon = 1.0 / settings.inverse_radius;
 	const double room = std::min({r_a, r_b, std::abs(r_a - horizon), std::abs(r_b - horizon)});
-	if (!(room > kNearest * horizon)) {
+	if (!(room > kNearestPlace * horizon)) {
 		return {kTwoPi, kTwoPi, kInfinity};
 	}
 	const glm::dvec3 out_a = a / r_a;
@@ -76,14 +75,10 @@ Movement movement(const WatchingEye &from, const WatchingEye &to, const SkySetti
 
 StarChoice::View StarChoice::view_of(const WatchingEye &eye, int order, const SkySettings &settings,
 		const blackhole::LensingTables &tables, const Reserve &reserve) {
-	const glm::dvec3 offset = offset_of(eye, settings);
-	const Vector3 to_sky = settings.sky_to_world.transposed().xform(to_godot(offset));
-	glm::dvec3 position = to_glm(to_sky) * settings.inverse_radius;
-	const double distance = glm::length(position);
-	if (!(distance > kNearest)) {
-		position = glm::dvec3(0.0, 0.0, kNearest);
-	}
-	const glm::dvec3 inward = distance > kNearest ? -glm::normalize(offset) : eye.axis;
+	const glm::dvec3 place = place_in_radii(settings, eye.place);
+	const double distance = glm::length(place);
+	const glm::dvec3 inward = distance > kNearestPlace ? -place / distance : eye.axis;
+	const glm::dvec3 position = to_glm(settings.sky_to_world.transposed().xform(to_godot(place)));
 	const blackhole::LocalObserver observer = blackhole::drawn_observer(position, sky_axes(settings));
 	const bool boosted = observer.celerity != glm::dvec3(0.0);
 	// A boost carries images elsewhere in the picture: then every place in it counts.
@@ -108,17 +103,17 @@ void StarChoice::reset() {
 }
 
 bool StarChoice::holds(const Part &part, const std::vector<WatchingEye> &eyes, const SkySettings &settings) {
-	if (!part.chosen || part.eyes.size() != eyes.size()) {
+	if (!part.chosen || part.ground.eyes.size() != eyes.size()) {
 		return false;
 	}
 	for (std::size_t i = 0; i < eyes.size(); ++i) {
-		if (eyes[i] == part.eyes[i]) {
+		if (eyes[i] == part.ground.eyes[i]) {
 			continue;
 		}
-		const Movement moved = movement(part.eyes[i], eyes[i], settings);
-		if (!has_equal_lens(part.eyes[i], eyes[i]) || part.reserve == Reserve() ||
-				moved.radial_part > kRadialReserve || moved.turn > part.reserve.turn ||
-				moved.aim > part.reserve.aim) {
+		const Movement moved = movement(part.ground.eyes[i], eyes[i], settings);
+		if (!has_equal_lens(part.ground.eyes[i], eyes[i]) || part.ground.reserve == Reserve() ||
+				moved.radial_part > kRadialReserve || moved.turn > part.ground.reserve.turn ||
+				moved.aim > part.ground.reserve.aim) {
 			return false;
 		}
 	}
@@ -160,8 +155,8 @@ void StarChoice::look(int order, const SkySettings &settings, const std::vector<
 	for (const WatchingEye &eye : eyes) {
 		looked.of_eyes.push_back(view_of(eye, order, settings, tables, reserve));
 	}
-	looked.eyes = eyes;
-	looked.reserve = reserve;
+	looked.ground.eyes = eyes;
+	looked.ground.reserve = reserve;
 }
 
 void StarChoice::choose(std::size_t part, StarLayer &layer, const SkySettings &settings) {
@@ -174,7 +169,7 @@ void StarChoice::choose(std::size_t part, StarLayer &layer, const SkySettings &s
 			std::any_of(looked.of_eyes.begin(), looked.of_eyes.end(), [&layer](const View &view) {
 				return view.limit + view.bound.least_brightening() >= layer.faintest();
 			});
-	const bool moving = looked.reserve != Reserve();
+	const bool moving = looked.ground.reserve != Reserve();
 	const std::size_t piece = part % per_order;
 	const std::size_t end = groups.size() * (piece + 1) / per_order;
 	for (std::size_t g = groups.size() * piece / per_order; g < end; ++g) {
@@ -187,8 +182,7 @@ void StarChoice::choose(std::size_t part, StarLayer &layer, const SkySettings &s
 		layer.set_faintest(static_cast<int>(order), g, faintest, moving);
 	}
 	parts.at(part).chosen = true;
-	parts.at(part).eyes = looked.eyes;
-	parts.at(part).reserve = looked.reserve;
+	parts.at(part).ground = looked.ground;
 }
 
 void StarChoice::update(StarLayer &layer, const SkySettings &settings, const std::vector<WatchingEye> &eyes,
@@ -197,7 +191,7 @@ void StarChoice::update(StarLayer &layer, const SkySettings &settings, const std
 	const std::size_t per_order = parts_per_order(settings);
 	const std::size_t count = per_order * static_cast<std::size_t>(settings.image_orders);
 	const auto is_final = [&eyes](const Part &part) {
-		return part.chosen && part.reserve == Reserve() && part.eyes == eyes;
+		return part.chosen && part.ground.reserve == Reserve() && part.ground.eyes == eyes;
 	};
 	if (!std::all_of(parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(count), is_final)) {
 		const bool hold = std::all_of(parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(count),

@@ -36,16 +36,19 @@ private:
 		double limit = 0.0; ///< faintest magnitude that this eye sees without lensing
 		double slack = 0.0; ///< rad
 	};
-	struct Views {
-		std::vector<View> of_eyes;
+	/// For which eyes something holds.
+	struct Ground {
 		std::vector<WatchingEye> eyes;
 		Reserve reserve;
 	};
-	/// For which eyes the groups of a part of an order are chosen.
+	struct Views {
+		std::vector<View> of_eyes;
+		Ground ground;
+	};
+	/// A part of an order's groups.
 	struct Part {
 		bool chosen = false;
-		std::vector<WatchingEye> eyes;
-		Reserve reserve;
+		Ground ground;
 	};
 	static constexpr std::size_t kMostParts = 10; ///< that all orders' groups are renewed in
 

@@ -21,7 +21,7 @@ constexpr double kReserve = 1.03;
 // The direct image of a star straight above: a smooth function's limit is taken here, radians.
 constexpr double kNearlyNothing = 1e-3;
 
-/// What the ends of the bins are the same for every eye: the angles of an order's rays, and their sines.
+/// What is the same for every eye at the ends of the bins: the angles of an order's rays, and their sines.
 template <std::size_t kEnds>
 struct BinEnds {
 	std::array<ShaderLensing::TableAngle, kEnds> angle;
@@ -91,9 +91,9 @@ LocalObserver drawn_observer(const glm::dvec3 &position, const ObserverField &ob
 ImageBound::ImageBound(const LocalObserver &eye, int order, const LensingTables &tables,
 		const std::function<double(double)> &gain)
 		: outward(eye.outward) {
-	static const std::array<BinEnds<kBins + 1>, 4> kEnds = {
-			BinEnds<kBins + 1>(0), BinEnds<kBins + 1>(1), BinEnds<kBins + 1>(2), BinEnds<kBins + 1>(3)};
-	const BinEnds<kBins + 1> &ends = kEnds.at(static_cast<std::size_t>(order));
+	using Ends = BinEnds<kBins + 1>;
+	static const std::array<Ends, 4> kOfOrders = {Ends(0), Ends(1), Ends(2), Ends(3)};
+	const Ends &ends = kOfOrders.at(static_cast<std::size_t>(order));
 	const std::array<double, kBins + 1> &sine = ends.sine;
 	std::array<ShaderLensing::Ray, kBins + 1> rays; // NOLINT(cppcoreguidelines-pro-type-member-init)
 	ShaderLensing(tables).rays_of_angles(eye.u, ends.angle.data(), rays.size(), rays.data());

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 blackhole_add_test(disk_test
+	${CMAKE_CURRENT_SOURCE_DIR}/relativity/brute_force_geodesic.cpp
 	${CMAKE_CURRENT_LIST_DIR}/disk_crossing_test.cpp
 	${CMAKE_CURRENT_LIST_DIR}/page_thorne_test.cpp
 	${CMAKE_CURRENT_LIST_DIR}/ray_radius_test.cpp)

@@ -78,8 +78,15 @@ const std::map<std::string, Tolerance> &tolerances() {
 	return table;
 }
 
+/// Files of difficult rows are of the same kind as the others.
+std::string kind_of(std::string name) {
+	const std::string difficult = "_high";
+	const std::size_t at = name.find(difficult);
+	return at == std::string::npos ? name : name.erase(at, difficult.size());
+}
+
 void compare(const std::string &name, const RaySource &rays, double Tolerance::*which) {
-	const ReferenceKind *kind = find_reference_kind(name);
+	const ReferenceKind *kind = find_reference_kind(kind_of(name));
 	ASSERT_NE(kind, nullptr);
 	const ReferenceData data(name);
 	ASSERT_GE(data.size(), 200U);
@@ -123,7 +130,8 @@ TEST_P(ReferenceColumns, TabulatedValuesAgree) {
 
 INSTANTIATE_TEST_SUITE_P(Files, ReferenceColumns,
 		testing::Values("inverse_static", "inverse_rain", "forward_static", "forward_rain", "images", "rings",
-				"shadow", "deflection", "gshift", "disk_static", "disk_rain", "page_thorne"),
+				"shadow", "deflection", "gshift", "disk_static", "disk_rain", "disk_high_static",
+				"disk_high_rain", "page_thorne"),
 		[](const auto &test) { return test.param; });
 
 } // namespace
