@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lut_cli/disk_columns.h"
 
-#include "core/disk/disk_crossing.h"
 #include "core/disk/page_thorne.h"
-#include "core/relativity/light_ray.h"
 #include "core/relativity/observer.h"
-#include "core/relativity/redshift.h"
-#include "core/relativity/view_angle.h"
 
 #include <limits>
 
@@ -16,30 +12,26 @@ namespace {
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr int kOrders = 3;
 
-std::vector<double> crossings(std::span<const double> inputs, ObserverMotion motion, double y) {
+std::vector<double> crossings(const RaySource &rays, std::span<const double> inputs, ObserverMotion motion) {
 	std::vector<double> row(inputs.begin(), inputs.begin() + 4);
-	const DiskSight sight{inputs[0], y, inputs[1], inputs[3]};
-	const double a = LightRay<double>(sight.u, y).a;
-	const double observed = radial_redshift(sight.u, y, radial_kappa(sight.u, motion));
+	const bool exists = motion != ObserverMotion::kStatic || inputs[0] < 1.0;
 	for (int order = 0; order < kOrders; ++order) {
-		const double r = disk_crossing_radius(sight, order);
-		row.push_back(r);
-		row.push_back(observed * disk_redshift(r, a, sight.inclination, sight.azimuth));
+		const DiskView view{inputs[0], inputs[1], inputs[2], inputs[3], motion};
+		const DiskMeeting meeting = exists ? rays.disk(view, order) : DiskMeeting{kNaN, kNaN};
+		row.push_back(meeting.r);
+		row.push_back(meeting.redshift);
 	}
 	return row;
 }
 
 } // namespace
 
-std::vector<double> disk_static(const RaySource & /*rays*/, std::span<const double> inputs) {
-	if (!(inputs[0] < 1.0)) {
-		return {inputs[0], inputs[1], inputs[2], inputs[3], kNaN, kNaN, kNaN, kNaN, kNaN, kNaN};
-	}
-	return crossings(inputs, ObserverMotion::kStatic, static_sigma_offset(inputs[0], inputs[2]));
+std::vector<double> disk_static(const RaySource &rays, std::span<const double> inputs) {
+	return crossings(rays, inputs, ObserverMotion::kStatic);
 }
 
-std::vector<double> disk_rain(const RaySource & /*rays*/, std::span<const double> inputs) {
-	return crossings(inputs, ObserverMotion::kRain, rain_sigma_offset(inputs[0], inputs[2]));
+std::vector<double> disk_rain(const RaySource &rays, std::span<const double> inputs) {
+	return crossings(rays, inputs, ObserverMotion::kRain);
 }
 
 std::vector<double> page_thorne(const RaySource & /*rays*/, std::span<const double> inputs) {

@@ -2,6 +2,7 @@
 #include "lut_cli/table_commands.h"
 
 #include "core/tables/lensing_tables.h"
+#include "core/tables/ray_axis.h"
 #include "core/tables/table_file.h"
 #include "lut_cli/files.h"
 #include "lut_cli/table_errors.h"
@@ -63,8 +64,10 @@ std::string compare(const LensingTables &baked, const std::string &path) {
 		std::printf("%s: identical to a fresh bake\n", path.c_str());
 		return {};
 	}
-	const double difference = std::max(table_difference(baked.inverse, stored.value->inverse),
-			table_difference(baked.forward, stored.value->forward));
+	const double difference = std::max({table_difference(baked.inverse, stored.value->inverse),
+			table_difference(baked.forward, stored.value->forward),
+			table_difference(baked.rays.radius, stored.value->rays.radius),
+			table_difference(baked.rays.delay, stored.value->rays.delay)});
 	if (difference <= 1.0) {
 		std::printf("%s: equal to a fresh bake within the rounding of floats\n", path.c_str());
 		return {};
@@ -105,15 +108,20 @@ std::string run_inspect(const std::string &path) {
 	}
 	const LensingTables &tables = *read.value;
 	std::printf("file      %s\nformat    version %u, checksums in order\n", path.c_str(), kTableFileVersion);
-	std::printf("grid      %d columns x %d rows, 2 tables, RGBA float32, %zu bytes\n", tables.columns,
-			tables.rows,
-			kTableFileHeaderSize + (tables.inverse.size() + tables.forward.size()) * sizeof(float));
+	std::printf("bytes     %zu\n", write_lensing_tables(tables).size());
+	std::printf("sky grid  %d columns x %d rows, 2 tables, RGBA float32\n", tables.columns, tables.rows);
 	std::printf("u         %.9g to %.9g, rows uniform in ln u\n", std::exp(tables.ln_u_min),
 			std::exp(tables.ln_u_max));
 	std::printf("X         -%g to %g, columns uniform in 1/2 + X/(2 sqrt(X^2 + 25))\n", tables.x_limit,
 			tables.x_limit);
+	std::printf("ray grid  %d columns x %d rows, 2 tables, RGBA float32\n", kRayColumns, kRayRows);
+	std::printf("a/a_c     columns uniform in ln(1 + L/0.03), L = -ln|1 - a/a_c| (turning), -ln|1 - a_c/a| "
+				"(plunging), 0 to %g\n",
+			kRayNearest);
 	print_range("inverse R", tables.inverse);
 	print_range("forward Q", tables.forward);
+	print_range("radius", tables.rays.radius);
+	print_range("delay", tables.rays.delay);
 	return {};
 }
 

@@ -5,17 +5,17 @@
 #include <godot_cpp/classes/shader.hpp>
 #include <godot_cpp/variant/rid.hpp>
 
+#include "src/screen_triangle.h"
 #include "src/sky_settings.h"
 
-/// Draws what lies behind the stars: a quad at the far plane. Owns what it makes on the RenderingServer.
+/// Draws what lies behind the stars: a triangle at the far plane. Owns what it makes on the RenderingServer.
 class BackgroundLayer {
 public:
 	BackgroundLayer() = default;
 	BackgroundLayer(const BackgroundLayer &) = delete;
 	BackgroundLayer &operator=(const BackgroundLayer &) = delete;
-	~BackgroundLayer() { clear(); }
+	~BackgroundLayer() = default;
 
-	void clear();
 	void set_scenario(const godot::RID &scenario);
 	void set_shown(bool shown);
 	void set_tables(
@@ -39,10 +39,7 @@ private:
 	godot::Ref<godot::Shader> general_shader;
 	godot::Ref<godot::Shader> map_shader;
 	godot::Ref<godot::Shader> flat_shader;
-	godot::RID material;
-	godot::RID quad;
-	godot::RID instance;
-	godot::RID scenario;
+	ScreenTriangle triangle;
 	double panorama_luminance = 1.0;
 	SkySettings current;
 	bool dressed = false; ///< the material has what the current settings say

@@ -14,6 +14,7 @@
 
 #include "core/relativity/physical_scale.h"
 #include "core/relativity/shadow.h"
+#include "src/accretion_disk.h"
 #include "src/glm_adapter.h"
 #include "src/image_projector.h"
 #include "src/planck_texture.h"
@@ -23,6 +24,8 @@ using namespace godot;
 
 namespace {
 
+/// Of the node's hole, the part that counts as none.
+constexpr double kVanished = 1e-6;
 constexpr double kLargest = 1e30; // of lengths and luminances, within single precision
 
 } // namespace
@@ -32,7 +35,7 @@ BlackHoleSky::BlackHoleSky() {
 }
 
 bool BlackHoleSky::is_lensing() const {
-	return lensing > 1e-6 && table.is_valid() && table->is_ready();
+	return lensing > kVanished && table.is_valid() && table->is_ready();
 }
 
 SkyShaders BlackHoleSky::shaders_needed() const {
@@ -117,7 +120,7 @@ void BlackHoleSky::apply_settings() {
 	settings.hole_position = place.origin;
 	settings.sky_to_world = place.basis.orthonormalized();
 	settings.lensing = is_lensing();
-	settings.inverse_radius = 1.0 / (schwarzschild_radius * std::max(lensing, 1e-6));
+	settings.inverse_radius = 1.0 / (schwarzschild_radius * std::max(lensing, kVanished));
 	settings.shaders = shaders_needed();
 	settings.observer = observer_field();
 	settings.observer.axis = to_glm(settings.sky_to_world.xform(to_godot(settings.observer.axis)));
@@ -149,7 +152,32 @@ void BlackHoleSky::apply_settings() {
 	settings.render_layers = render_layers;
 	star_layer.apply(settings);
 	background_layer.apply(settings);
+	apply_to_disks();
 	star_choice.reset();
+}
+
+void BlackHoleSky::apply_to_disks() {
+	if (disks.empty()) {
+		return;
+	}
+	// A disk that has no hole any more is one whose hole is tiny.
+	SkySettings around = settings;
+	const double hole_scale = std::max(lensing, kVanished);
+	around.hole_position = get_global_transform().origin;
+	around.inverse_radius = 1.0 / (schwarzschild_radius * hole_scale);
+	for (AccretionDisk *disk : disks) {
+		disk->sky_changed(around, hole_scale, table);
+	}
+}
+
+void BlackHoleSky::add_disk(AccretionDisk *disk) {
+	disks.push_back(disk);
+	disk->redshift_map_changed(redshift_map);
+	settings_changed();
+}
+
+void BlackHoleSky::remove_disk(AccretionDisk *disk) {
+	disks.erase(std::remove(disks.begin(), disks.end(), disk), disks.end());
 }
 
 void BlackHoleSky::before_draw() {
@@ -226,6 +254,7 @@ void BlackHoleSky::set_schwarzschild_radius(double metres) {
 
 void BlackHoleSky::set_mass_solar(double masses) {
 	mass_solar = limited(masses, 1e-12, kLargest, mass_solar);
+	settings_changed(); // disks heat up by it
 }
 
 double BlackHoleSky::get_length_unit_km() const {
@@ -317,6 +346,9 @@ void BlackHoleSky::set_saturation(double factor) {
 void BlackHoleSky::set_redshift_map(bool shown) {
 	redshift_map = shown;
 	background_layer.set_redshift_map(shown);
+	for (AccretionDisk *disk : disks) {
+		disk->redshift_map_changed(shown);
+	}
 }
 
 void BlackHoleSky::set_stars_visible(bool shown) {
@@ -398,7 +430,7 @@ double BlackHoleSky::distance_to(const Vector3 &world_position) const {
 Vector3 BlackHoleSky::place_of(const Vector3 &world_position) const {
 	const Transform3D place = get_global_transform();
 	const Vector3 offset = place.basis.orthonormalized().transposed().xform(world_position - place.origin);
-	return offset / static_cast<real_t>(schwarzschild_radius * std::max(lensing, 1e-6));
+	return offset / static_cast<real_t>(schwarzschild_radius * std::max(lensing, kVanished));
 }
 
 double BlackHoleSky::shadow_angle_at(const Vector3 &world_position) const {

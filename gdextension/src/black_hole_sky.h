@@ -21,6 +21,8 @@
 #include "src/star_choice.h"
 #include "src/star_layer.h"
 
+class AccretionDisk;
+
 /// A Schwarzschild black hole at the node's place and the sky as its light bends it, right for every camera
 /// and eye that looks at the node's world.
 class BlackHoleSky : public godot::Node3D {
@@ -138,6 +140,10 @@ public:
 	void set_render_layers(uint32_t layers);
 	uint32_t get_render_layers() const { return render_layers; }
 
+	/// Disks round the hole say that they are there.
+	void add_disk(AccretionDisk *disk);
+	void remove_disk(AccretionDisk *disk);
+
 	double distance_to(const godot::Vector3 &world_position) const;
 	double shadow_angle_at(const godot::Vector3 &world_position) const;
 	godot::String get_observer_refusal_at(const godot::Vector3 &world_position) const;
@@ -156,6 +162,7 @@ private:
 	void exit_world();
 	void settings_changed();
 	void apply_settings();
+	void apply_to_disks();
 	void catalogue_changed();
 	void table_changed();
 	void before_draw();
@@ -174,6 +181,7 @@ private:
 	StarChoice star_choice;
 	ExposureMeter exposure_meter;
 	SkySettings settings;
+	std::vector<AccretionDisk *> disks;
 
 	double schwarzschild_radius = 1.0;
 	double mass_solar = 10.0;

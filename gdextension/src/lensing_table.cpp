@@ -14,6 +14,7 @@
 #include <godot_cpp/variant/utility_functions.hpp>
 
 #include "core/relativity/shadow.h"
+#include "core/tables/ray_axis.h"
 #include "core/tables/table_file.h"
 #include "src/exact_results.h"
 #include "src/float_texture.h"
@@ -43,6 +44,8 @@ Error LensingTable::refuse(const String &message, Error error) {
 void LensingTable::adopt(blackhole::LensingTables &&p_tables) {
 	inverse_texture = make_float_texture(p_tables.inverse, p_tables.columns, p_tables.rows);
 	forward_texture = make_float_texture(p_tables.forward, p_tables.columns, p_tables.rows);
+	radius_texture = make_float_texture(p_tables.rays.radius, blackhole::kRayColumns, blackhole::kRayRows);
+	delay_texture = make_float_texture(p_tables.rays.delay, blackhole::kRayColumns, blackhole::kRayRows);
 	tables = std::make_shared<const blackhole::LensingTables>(std::move(p_tables));
 	error_message = String();
 	emit_changed();
@@ -186,6 +189,8 @@ void LensingTable::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_error_message"), &LensingTable::get_error_message);
 	ClassDB::bind_method(D_METHOD("get_inverse_texture"), &LensingTable::get_inverse_texture);
 	ClassDB::bind_method(D_METHOD("get_forward_texture"), &LensingTable::get_forward_texture);
+	ClassDB::bind_method(D_METHOD("get_radius_texture"), &LensingTable::get_radius_texture);
+	ClassDB::bind_method(D_METHOD("get_delay_texture"), &LensingTable::get_delay_texture);
 	ClassDB::bind_method(D_METHOD("get_inverse_texels"), &LensingTable::get_inverse_texels);
 	ClassDB::bind_method(D_METHOD("get_forward_texels"), &LensingTable::get_forward_texels);
 	ClassDB::bind_static_method(

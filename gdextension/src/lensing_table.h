@@ -18,8 +18,8 @@
 
 #include "core/tables/lensing_tables.h"
 
-/// The two small tables from which the shaders bend light (star -> direction, direction -> sky), read from a
-/// .lut file or baked on a worker thread, and the exact solution they approximate.
+/// The small tables from which the shaders bend light (star -> direction, direction -> sky, ray -> radius and
+/// delay), read from a .lut file or baked on a worker thread, and the exact solution they approximate.
 class LensingTable : public godot::Resource {
 	GDCLASS(LensingTable, godot::Resource)
 
@@ -28,6 +28,8 @@ class LensingTable : public godot::Resource {
 	std::shared_ptr<const blackhole::LensingTables> tables;
 	godot::Ref<godot::ImageTexture> inverse_texture;
 	godot::Ref<godot::ImageTexture> forward_texture;
+	godot::Ref<godot::ImageTexture> radius_texture;
+	godot::Ref<godot::ImageTexture> delay_texture;
 
 	std::thread worker;
 	std::mutex baked_mutex;
@@ -69,6 +71,8 @@ public:
 
 	godot::Ref<godot::ImageTexture> get_inverse_texture() const { return inverse_texture; }
 	godot::Ref<godot::ImageTexture> get_forward_texture() const { return forward_texture; }
+	godot::Ref<godot::ImageTexture> get_radius_texture() const { return radius_texture; }
+	godot::Ref<godot::ImageTexture> get_delay_texture() const { return delay_texture; }
 
 	godot::PackedFloat32Array get_inverse_texels() const;
 	godot::PackedFloat32Array get_forward_texels() const;

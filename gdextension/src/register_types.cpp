@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "src/register_types.h"
 
+#include "src/accretion_disk.h"
 #include "src/black_body.h"
 #include "src/black_hole_sky.h"
 #include "src/circular_orbit_path.h"
@@ -27,6 +28,7 @@ void initialize_blackhole_sky(godot::ModuleInitializationLevel level) {
 	GDREGISTER_CLASS(FigureField);
 	GDREGISTER_CLASS(SkyObserver);
 	GDREGISTER_CLASS(BlackHoleSky);
+	GDREGISTER_CLASS(AccretionDisk);
 	GDREGISTER_CLASS(RadialFallPath);
 	GDREGISTER_CLASS(CircularOrbitPath);
 	GDREGISTER_CLASS(PilotedObserver);

@@ -62,11 +62,15 @@ var exposure_ev: float = 0.0
 var auto_exposure: ShotAutoExposure
 var effects := ShotEffects.new()
 var point_spread := ShotPointSpread.new()
+## Null: there is no accretion disk.
+var disk: ShotDisk
 ## Bits of BlackHoleSky.Overlay.
 var overlays: int = 0
 var star_names: bool = false
 var background: Background = Background.NONE
 var background_file: String = ""
+## Of a sequence, seconds from its start.
+var seconds: float = 0.0
 ## Of a sequence: its frames; the spec is that of the frame last gone to. Null for a still.
 var sequence: ShotPath
 ## Why the shot was refused; empty when it is fine.
@@ -105,6 +109,7 @@ static func from_data(data: Variant, folders: PackedStringArray = []) -> ShotSpe
 
 ## Puts the eye where a sequence has it in a frame, from 0 on.
 func go_to(frame: int) -> void:
+	seconds = frame / sequence.fps
 	_read_pose(sequence.pose(frame))
 	if not error.is_empty():
 		error = sequence.fault(frame, error)
@@ -128,6 +133,7 @@ func _read(data: Dictionary) -> void:
 	if error.is_empty():
 		effects = ShotEffects.from_data(data.get("effects", {}))
 		point_spread = ShotPointSpread.from_data(data.get("psf", {"sigma_px": psf_sigma_px}))
+		disk = ShotDisk.from_data(data.get("disk"))
 		_read_exposure(data.get("exposure", exposure_ev))
 		_read_overlays(data.get("overlays", []))
 

@@ -16,6 +16,7 @@ const WARM_UP_FRAMES: int = 3
 var _viewport := SubViewport.new()
 var _camera := Camera3D.new()
 var _sky := BlackHoleSky.new()
+var _disk := AccretionDisk.new()
 var _labels := SkyLabels.new()
 var _catalogues: Dictionary[String, StarCatalogue] = {}
 
@@ -38,6 +39,8 @@ func _init() -> void:
 	_labels.sky = _sky
 	_labels.camera = _camera
 	_labels.visible = false
+	_disk.visible = false
+	_sky.add_child(_disk)
 	for node: Node in [world, _camera, _sky, _labels]:
 		_viewport.add_child(node)
 	add_child(_viewport)
@@ -64,6 +67,8 @@ func take_next(spec: ShotSpec) -> Image:
 func _place(spec: ShotSpec) -> void:
 	# Stars not lensed are as for an eye at rest; one that has no hole may fly.
 	_sky.observer = spec.observer.to_sky_observer() if spec.lensing else null
+	if spec.disk != null:
+		spec.disk.apply_to(_disk, spec.seconds)
 	_aim(spec)
 
 
@@ -102,6 +107,9 @@ func _dress(spec: ShotSpec, refusal: PackedStringArray) -> bool:
 		_sky.auto_exposure = false
 		_sky.exposure = spec.exposure_ev
 	spec.effects.apply_to(_sky)
+	_disk.visible = spec.disk != null
+	if spec.disk != null:
+		_sky.mass_solar = spec.disk.mass_solar
 	_sky.projection = spec.projection
 	_sky.overlays = spec.overlays
 	_labels.visible = spec.star_names

@@ -3,7 +3,7 @@ extends GutTest
 ## Lensing tables: read, baked, saved, and refused when damaged.
 
 const COMMITTED: String = "res://addons/blackhole_sky/data/schwarzschild.lut"
-const HEADER_BYTES: int = 64
+const HEADER_BYTES: int = 72
 const BAKE_SECONDS: float = 60.0
 
 var _folder := ScratchFolder.new("tables")
@@ -24,9 +24,12 @@ func test_the_committed_table() -> void:
 	var values := FileAccess.get_file_as_bytes(COMMITTED).slice(HEADER_BYTES)
 	var texels := _table.get_inverse_texels() + _table.get_forward_texels()
 	assert_eq(texels.size(), 2 * 4 * 128 * 96)
-	assert_true(texels.to_byte_array() == values, "the numbers of the file")
 	for texture: ImageTexture in [_table.get_inverse_texture(), _table.get_forward_texture()]:
 		assert_eq(Vector2i(texture.get_size()), Vector2i(128, 96))
+	for texture: ImageTexture in [_table.get_radius_texture(), _table.get_delay_texture()]:
+		assert_eq(Vector2i(texture.get_size()), Vector2i(96, 128))
+		texels += texture.get_image().get_data().to_float32_array()
+	assert_true(texels.to_byte_array() == values, "the numbers of the file")
 
 
 func test_source_file_loads_and_is_stored() -> void:

@@ -2,8 +2,10 @@
 #include "core/disk/page_thorne.h"
 
 #include "core/relativity/critical.h"
+#include "core/relativity/physical_scale.h"
 
 #include <cmath>
+#include <numbers>
 
 #include <boost/math/quadrature/gauss.hpp>
 
@@ -41,6 +43,19 @@ double page_thorne_flux(double r) {
 double page_thorne_temperature(double r) {
 	static const double kLargest = page_thorne_flux(kHottestRing);
 	return std::pow(page_thorne_flux(r) / kLargest, 0.25);
+}
+
+double hottest_ring_temperature(double mass_solar, double accretion_rate) {
+	constexpr double kStefanBoltzmann = 5.670374419e-8; // W/(m^2 K^4)
+	constexpr double kGravitation = 6.6743e-11;         // m^3/(kg s^2), CODATA 2018
+	constexpr double kYear = 3.15576e7;                 // s, Julian
+	const double c = kSpeedOfLight;
+	const double gravitational_radius = kSolarMassParameter * mass_solar / (c * c);  // G M/c^2
+	const double rate = kSolarMassParameter / kGravitation * accretion_rate / kYear; // kg/s
+	const double flux = 3.0 * rate * c * c /
+			(8.0 * std::numbers::pi * gravitational_radius * gravitational_radius) *
+			page_thorne_flux(kHottestRing);
+	return std::pow(flux / kStefanBoltzmann, 0.25);
 }
 
 } // namespace blackhole

@@ -18,4 +18,8 @@ double page_thorne_flux(double r);
 /// Temperature over that of the hottest ring: (F/F_max)^(1/4), 0 to 1.
 double page_thorne_temperature(double r);
 
+/// Temperature [K] of the hottest ring of a disk round a hole of this mass [solar masses], onto which this
+/// much falls [solar masses a year].
+double hottest_ring_temperature(double mass_solar, double accretion_rate);
+
 } // namespace blackhole

@@ -2,8 +2,10 @@
 #include "core/photometry/radiometry.h"
 
 #include <cmath>
+#include <numbers>
 
 #include "core/photometry/constants.h"
+#include "core/photometry/planck.h"
 
 namespace blackhole {
 
@@ -19,6 +21,12 @@ double star_luminance_sum(double p_v_magnitude, double p_pixel_solid_angle) {
 
 double surface_luminance(double p_magnitude) {
 	return kStarGain * kReferenceSolidAngle / kSquareArcsecond * std::pow(10.0, -0.4 * p_magnitude);
+}
+
+double log2_luminance_unit() {
+	constexpr double kSolidAngle = std::numbers::pi * kSolarAngularRadius * kSolarAngularRadius;
+	const double sun = star_luminance_sum(kSolarMagnitude, kSolidAngle);
+	return std::log2(sun) - planck_light(kSolarTemperature).ln_luminance * std::numbers::log2e;
 }
 
 double star_angular_radius(double p_v_magnitude, double p_temperature, const PlanckTable &p_planck) {

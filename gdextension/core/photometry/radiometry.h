@@ -9,6 +9,7 @@
 // field of view. L is linear luminance of the picture at exposure 0, where 1 is the white of the screen.
 //   star of magnitude V:                 sum over its pixels of L = K (Omega_ref/Omega_px) 10^(-0.4 V)
 //   surface of mu magnitudes/arcsec^2:   L = K Omega_ref/(1 arcsec^2) 10^(-0.4 mu)
+//   black body's surface:                L = Y(T)/Y(T_sun) K Omega_ref/Omega_sun 10^(-0.4 V_sun)
 namespace blackhole {
 
 /// K: the sum of a star of magnitude 0 over its pixels in the reference view.
@@ -34,6 +35,10 @@ double star_luminance_sum(double p_v_magnitude, double p_pixel_solid_angle);
 
 /// Luminance of a surface of p_magnitude in V per square second of arc.
 double surface_luminance(double p_magnitude);
+
+/// log2 of the picture luminance of a surface whose luminance is 1 cd/m2 (Y of the Planck table), on the same
+/// scale: the Sun's disk has the light of the star that it is.
+double log2_luminance_unit();
 
 /// Apparent radius in radians of a star of p_v_magnitude that shines as a black body of p_temperature kelvin:
 /// the Sun's, scaled by the flux and by the surface brightness. It bounds the magnification of a star behind

@@ -30,6 +30,14 @@ vec4 texelFetch(const Texture &table, ivec2 at, int /*level*/) { // NOLINT(reada
 #include "lensing_source.inc"
 
 #include "effects_source.inc"
+
+#include "ray_tables_source.inc"
+
+#include "disk_crossing_source.inc"
+
+#include "disk_delay_source.inc"
+
+#include "disk_gas_source.inc"
 #pragma GCC diagnostic pop
 
 LensEye eye_at(float u) {
@@ -123,6 +131,38 @@ Sky trace(const Texture &forward, vec3 place, vec3 view_direction, const Motion 
 	const LensRay ray =
 			effect_trace(forward, eye, lens_row(eye), effects, effect_framed(eye, effects, view_direction));
 	return {ray.clearance <= 0.0F, ray.sky, ray.slope, ray.redshift};
+}
+
+namespace {
+
+Crossing meeting(const RayTextures &tables, const LensEye &eye, vec3 azimuth, float sigma, float y,
+		vec3 normal, int order) {
+	const DiskSight sight = disk_sight(tables.forward, eye, lens_row(eye), normal, azimuth, sigma, y, y);
+	const DiskCrossing crossing = disk_crossing(tables.radius, sight, order);
+	const float u = crossing.inverse_radius;
+	const DiskClock clock = disk_clock(tables.radius, tables.delay, eye, sight);
+	const float g =
+			lens_redshift(eye, sigma) * lens_doppler(eye.celerity, lens_ray_direction(eye, azimuth, sigma));
+	const bool reached = crossing.eta > 0.0F && crossing.eta < sight.way.span;
+	return {reached, crossing.outgoing, u, crossing.chi, g / disk_orbit_frequency(u, sight.spin),
+			g / disk_plunge_frequency(u, sight.way.a, sight.spin, crossing.outgoing),
+			disk_delay(tables.delay, sight, clock, crossing, 1.0F / u)};
+}
+
+} // namespace
+
+Crossing disk_meeting(const RayTextures &tables, vec3 place, vec3 view_direction, vec3 normal, int order,
+		const Motion &motion) {
+	const LensEye eye = lens_eye(place, motion.code, motion.parameters);
+	const LensView view = lens_view(eye, effect_framed(eye, EFFECT_ALL, view_direction));
+	const float sigma = eye.kappa * view.tan_half_xi;
+	return meeting(tables, eye, view.azimuth, sigma, sigma - eye.sigma_c, normal, order);
+}
+
+Crossing disk_meeting_of_ray(const RayTextures &tables, float u, float y, vec3 azimuth, vec3 normal,
+		int order, const Motion &motion) {
+	const LensEye eye = lens_eye(vec3(0.0F, 0.0F, 1.0F / u), motion.code, motion.parameters);
+	return meeting(tables, eye, azimuth, eye.sigma_c + y, y, normal, order);
 }
 
 } // namespace lensing_shader

@@ -55,6 +55,22 @@ struct Sky {
 	float redshift;
 };
 
+/// Where a line of sight meets the plane of a disk.
+struct Crossing {
+	bool reached;
+	bool outgoing; ///< light leaves the disk on its way out
+	float inverse_radius;
+	float angle;           ///< rad, between eye and crossing
+	float redshift;        ///< nu_observed/nu_emitted of gas on the circular orbit there
+	float plunge_redshift; ///< of gas that plunges from the last stable orbit
+	float delay;           ///< r_s/c, Painleve-Gullstrand time from the crossing to the eye
+};
+struct RayTextures {
+	Texture forward;
+	Texture radius;
+	Texture delay;
+};
+
 /// sigma_c at u.
 float shadow_sigma(float u);
 /// An orbital angle as the inverse table takes it: t(Phi) and dt/dPhi.
@@ -78,5 +94,14 @@ RoughPlace rough_place(glm::vec3 place, glm::vec3 star, int order, const Motion 
 /// frame.
 Sky trace(
 		const Texture &forward, glm::vec3 place, glm::vec3 view_direction, const Motion &motion, int effects);
+
+/// The meeting of this order of a viewing direction of the observer's own frame with the plane through the
+/// hole whose unit normal is given.
+Crossing disk_meeting(const RayTextures &tables, glm::vec3 place, glm::vec3 view_direction, glm::vec3 normal,
+		int order, const Motion &motion);
+/// The same of the ray sigma = sigma_c + y, on the side of `azimuth`, for a radially moving observer at (0,
+/// 0, 1/u).
+Crossing disk_meeting_of_ray(const RayTextures &tables, float u, float y, glm::vec3 azimuth, glm::vec3 normal,
+		int order, const Motion &motion);
 
 } // namespace lensing_shader

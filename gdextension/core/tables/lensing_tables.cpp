@@ -90,17 +90,20 @@ void bake_row(NodeFunction node_at, const RowPlace &row, double v_step, float *t
 	}
 }
 
+/// Of the whole work, the part that the tables of the sky are.
+constexpr double kSkyShare = 0.5;
+
 } // namespace
 
 LensingTables bake_lensing_tables(const std::function<bool(double)> &progress) {
 	LensingTables tables{
-			kTableColumns, kTableRows, std::log(kTableUMin), std::log(kTableUMax), kTableXLimit, {}, {}};
+			kTableColumns, kTableRows, std::log(kTableUMin), std::log(kTableUMax), kTableXLimit, {}, {}, {}};
 	constexpr std::size_t kRowFloats = std::size_t{4} * kTableColumns;
 	tables.inverse.resize(kRowFloats * kTableRows);
 	tables.forward.resize(kRowFloats * kTableRows);
 	const double v_step = (tables.ln_u_max - tables.ln_u_min) / (kTableRows - 1.0);
 	for (int row = 0; row < kTableRows; ++row) {
-		if (progress && !progress(row / double{kTableRows})) {
+		if (progress && !progress(kSkyShare * row / kTableRows)) {
 			return {};
 		}
 		const RowPlace place(tables.ln_u_min + row * v_step);
@@ -108,10 +111,9 @@ LensingTables bake_lensing_tables(const std::function<bool(double)> &progress) {
 		bake_row(inverse_node, place, v_step, tables.inverse.data() + start);
 		bake_row(forward_node, place, v_step, tables.forward.data() + start);
 	}
-	if (progress && !progress(1.0)) {
-		return {};
-	}
-	return tables;
+	tables.rays = bake_ray_tables(
+			[&progress](double done) { return !progress || progress(kSkyShare + (1.0 - kSkyShare) * done); });
+	return tables.rays.radius.empty() ? LensingTables() : tables;
 }
 
 } // namespace blackhole

@@ -2,6 +2,8 @@
 target_sources(blackhole_core PRIVATE
 	${CMAKE_CURRENT_LIST_DIR}/lensing_shader.cpp
 	${CMAKE_CURRENT_LIST_DIR}/lensing_tables.cpp
+	${CMAKE_CURRENT_LIST_DIR}/ray_tables.cpp
+	${CMAKE_CURRENT_LIST_DIR}/shader_disk.cpp
 	${CMAKE_CURRENT_LIST_DIR}/shader_lensing.cpp
 	${CMAKE_CURRENT_LIST_DIR}/table_file.cpp
 )
@@ -9,7 +11,7 @@ target_sources(blackhole_core PRIVATE
 # lensing_shader.cpp includes the shaders' sources with their literals marked as single precision.
 set(_shader_to_cpp "${CMAKE_CURRENT_LIST_DIR}/shader_to_cpp.cmake")
 set(_shader_sources)
-foreach(_name observer lensing effects map_projection)
+foreach(_name observer lensing effects ray_tables disk_crossing disk_delay disk_gas map_projection)
 	set(_shader "${PROJECT_SOURCE_DIR}/../addons/blackhole_sky/shaders/${_name}.gdshaderinc")
 	set(_source "${CMAKE_CURRENT_BINARY_DIR}/shader_source/${_name}_source.inc")
 	add_custom_command(OUTPUT "${_source}"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/tables/table_file.h"
 
+#include "core/tables/ray_axis.h"
 #include "core/tables/table_axis.h"
 
 #include <zlib.h>
@@ -26,12 +27,20 @@ enum Field : std::size_t {
 	kLnUMinAt = 32,
 	kLnUMaxAt = 40,
 	kXLimitAt = 48,
-	kDataCrcAt = 56,
-	kHeaderCrcAt = 60,
+	kRayColumnsAt = 56,
+	kRayRowsAt = 60,
+	kDataCrcAt = 64,
+	kHeaderCrcAt = 68,
 };
 
-constexpr std::uint32_t kTableCount = 2;
+constexpr std::uint32_t kTableCount = 4;
 constexpr std::uint32_t kChannels = 4;
+
+/// The tables in the file's order.
+template <class Tables>
+auto parts_of(Tables &tables) {
+	return std::array{&tables.inverse, &tables.forward, &tables.rays.radius, &tables.rays.delay};
+}
 
 template <class Number>
 void put(std::vector<std::uint8_t> &bytes, std::size_t at, Number number) {
@@ -57,6 +66,10 @@ std::uint32_t checksum(std::span<const std::uint8_t> bytes) {
 	return static_cast<std::uint32_t>(crc32_z(0, bytes.data(), bytes.size()));
 }
 
+bool is_side(std::uint32_t size) {
+	return size >= 2 && size <= kTableFileMaxSide;
+}
+
 /// What is wrong with the header of a file of this size; empty if it is in order.
 std::string header_fault(std::span<const std::uint8_t> bytes) {
 	if (bytes.size() < kMagic.size() || std::memcmp(bytes.data(), kMagic.data(), kMagic.size()) != 0) {
@@ -75,20 +88,22 @@ std::string header_fault(std::span<const std::uint8_t> bytes) {
 	}
 	const auto columns = get<std::uint32_t>(bytes, kColumnsAt);
 	const auto rows = get<std::uint32_t>(bytes, kRowsAt);
+	const auto ray_columns = get<std::uint32_t>(bytes, kRayColumnsAt);
+	const auto ray_rows = get<std::uint32_t>(bytes, kRayRowsAt);
 	if (get<std::uint32_t>(bytes, kHeaderSizeAt) != kTableFileHeaderSize ||
 			get<std::uint32_t>(bytes, kTableCountAt) != kTableCount ||
-			get<std::uint32_t>(bytes, kChannelsAt) != kChannels || columns < 2 ||
-			columns > kTableFileMaxSide || rows < 2 || rows > kTableFileMaxSide) {
+			get<std::uint32_t>(bytes, kChannelsAt) != kChannels || !is_side(columns) || !is_side(rows) ||
+			!is_side(ray_columns) || !is_side(ray_rows)) {
 		return "its header asks for impossible sizes";
 	}
-	// At most 4096 x 4096 x 2 x 16 bytes: no overflow in 64 bits.
-	const std::uint64_t expected =
-			kTableFileHeaderSize + std::uint64_t{columns} * rows * kTableCount * kChannels * sizeof(float);
+	// At most 4096 x 4096 x 4 x 16 bytes: no overflow in 64 bits.
+	const std::uint64_t texels = std::uint64_t{columns} * rows + std::uint64_t{ray_columns} * ray_rows;
+	const std::uint64_t expected = kTableFileHeaderSize + 2 * texels * kChannels * sizeof(float);
 	if (bytes.size() != expected) {
 		return "it has " + std::to_string(bytes.size()) + " bytes instead of " + std::to_string(expected);
 	}
-	if (columns != kTableColumns || rows != kTableRows ||
-			std::abs(get_double(bytes, kLnUMinAt) - std::log(kTableUMin)) > 1e-12 ||
+	if (columns != kTableColumns || rows != kTableRows || ray_columns != kRayColumns ||
+			ray_rows != kRayRows || std::abs(get_double(bytes, kLnUMinAt) - std::log(kTableUMin)) > 1e-12 ||
 			std::abs(get_double(bytes, kLnUMaxAt) - std::log(kTableUMax)) > 1e-12 ||
 			get_double(bytes, kXLimitAt) != kTableXLimit) {
 		return "its grid is not the one the shaders are written for";
@@ -113,7 +128,10 @@ bool get_floats(std::span<const std::uint8_t> bytes, std::size_t at, std::vector
 } // namespace
 
 std::vector<std::uint8_t> write_lensing_tables(const LensingTables &tables) {
-	const std::size_t floats = tables.inverse.size() + tables.forward.size();
+	std::size_t floats = 0;
+	for (const std::vector<float> *table : parts_of(tables)) {
+		floats += table->size();
+	}
 	std::vector<std::uint8_t> bytes(kTableFileHeaderSize + floats * sizeof(float));
 	std::memcpy(bytes.data(), kMagic.data(), kMagic.size());
 	put(bytes, kVersionAt, kTableFileVersion);
@@ -125,8 +143,10 @@ std::vector<std::uint8_t> write_lensing_tables(const LensingTables &tables) {
 	put(bytes, kLnUMinAt, std::bit_cast<std::uint64_t>(tables.ln_u_min));
 	put(bytes, kLnUMaxAt, std::bit_cast<std::uint64_t>(tables.ln_u_max));
 	put(bytes, kXLimitAt, std::bit_cast<std::uint64_t>(tables.x_limit));
+	put(bytes, kRayColumnsAt, static_cast<std::uint32_t>(kRayColumns));
+	put(bytes, kRayRowsAt, static_cast<std::uint32_t>(kRayRows));
 	std::size_t at = kTableFileHeaderSize;
-	for (const std::vector<float> *table : {&tables.inverse, &tables.forward}) {
+	for (const std::vector<float> *table : parts_of(tables)) {
 		for (const float number : *table) {
 			put(bytes, at, std::bit_cast<std::uint32_t>(number));
 			at += sizeof(float);
@@ -150,10 +170,16 @@ Outcome<LensingTables> read_lensing_tables(std::span<const std::uint8_t> bytes, 
 		const std::size_t floats = static_cast<std::size_t>(tables.columns) * tables.rows * kChannels;
 		tables.inverse.resize(floats);
 		tables.forward.resize(floats);
-		const bool inverse_finite = get_floats(bytes, kTableFileHeaderSize, tables.inverse);
-		const bool forward_finite =
-				get_floats(bytes, kTableFileHeaderSize + floats * sizeof(float), tables.forward);
-		fault = inverse_finite && forward_finite ? "" : "it holds values that are no numbers";
+		constexpr std::size_t kRayFloats = std::size_t{kRayColumns} * kRayRows * kChannels;
+		tables.rays.radius.resize(kRayFloats);
+		tables.rays.delay.resize(kRayFloats);
+		std::size_t at = kTableFileHeaderSize;
+		for (std::vector<float> *table : parts_of(tables)) {
+			if (!get_floats(bytes, at, *table)) {
+				fault = "it holds values that are no numbers";
+			}
+			at += table->size() * sizeof(float);
+		}
 	}
 	if (!fault.empty()) {
 		return Outcome<LensingTables>::failure(

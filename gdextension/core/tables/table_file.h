@@ -12,9 +12,9 @@
 
 namespace blackhole {
 
-/// The .lut file: a header of 64 bytes, then both tables. lut/README.md describes every byte.
-inline constexpr std::uint32_t kTableFileVersion = 1;
-inline constexpr std::size_t kTableFileHeaderSize = 64;
+/// The .lut file: a header of 72 bytes, then the tables. lut/README.md describes every byte.
+inline constexpr std::uint32_t kTableFileVersion = 2;
+inline constexpr std::size_t kTableFileHeaderSize = 72;
 /// No table file may ask for more columns or rows than this (a 2-D texture's safe size).
 inline constexpr std::uint32_t kTableFileMaxSide = 4096;
 

