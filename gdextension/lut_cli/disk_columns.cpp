@@ -2,6 +2,7 @@
 #include "lut_cli/disk_columns.h"
 
 #include "core/disk/page_thorne.h"
+#include "core/disk/plunging_gas.h"
 #include "core/relativity/observer.h"
 
 #include <limits>
@@ -37,6 +38,12 @@ std::vector<double> disk_rain(const RaySource &rays, std::span<const double> inp
 std::vector<double> page_thorne(const RaySource & /*rays*/, std::span<const double> inputs) {
 	const double flux = page_thorne_flux(inputs[0]);
 	return {inputs[0], flux, flux / page_thorne_flux(kHottestRing), page_thorne_temperature(inputs[0])};
+}
+
+std::vector<double> plunging_gas(const RaySource & /*rays*/, std::span<const double> inputs) {
+	std::vector<double> row(inputs.begin(), inputs.begin() + 4);
+	row.push_back(plunging_redshift(inputs[0], {inputs[1], inputs[2], inputs[3] == 1.0}));
+	return row;
 }
 
 } // namespace blackhole::disk_columns

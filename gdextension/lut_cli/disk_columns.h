@@ -18,5 +18,8 @@ std::vector<double> disk_static(const RaySource &rays, std::span<const double> i
 std::vector<double> disk_rain(const RaySource &rays, std::span<const double> inputs);
 /// r -> r,F_shape,F_rel,T_rel
 std::vector<double> page_thorne(const RaySource &rays, std::span<const double> inputs);
+/// r, a, tilt, outgoing (1 or 0) -> r,a,tilt,outgoing,redshift: nu_infinity/nu_emitted of gas that plunges
+/// from the last stable orbit (core/disk/plunging_gas.h).
+std::vector<double> plunging_gas(const RaySource &rays, std::span<const double> inputs);
 
 } // namespace blackhole::disk_columns

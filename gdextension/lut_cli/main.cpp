@@ -24,7 +24,7 @@ struct Arguments {
 };
 
 void add_commands(CLI::App &app, Arguments &arguments, std::string &error) {
-	CLI::App *bake = app.add_subcommand("bake", "Compute both lensing tables and write them to a file");
+	CLI::App *bake = app.add_subcommand("bake", "Compute the tables and write them to a file");
 	bake->add_option("OUT", arguments.path, "The file to write (may be left out with --check)");
 	bake->add_option("--check", arguments.check, "Compare with this file; exit 1 where it differs");
 	bake->callback([&] { error = blackhole::run_bake(arguments.path, arguments.check); });
@@ -44,8 +44,8 @@ void add_commands(CLI::App &app, Arguments &arguments, std::string &error) {
 
 	CLI::App *eval = app.add_subcommand("eval", "Evaluate a reference table's columns from its inputs");
 	eval->add_option("NAME", arguments.name,
-				"inverse_static, inverse_rain, forward_static, forward_rain, images, rings, shadow or "
-				"deflection")
+				"inverse_static, inverse_rain, forward_static, forward_rain, images, rings, shadow, "
+				"deflection, gshift, disk_static, disk_rain, page_thorne or plunging_gas")
 			->required();
 	eval->add_option("IN.csv", arguments.in, "Inputs, found by their column headers")->required();
 	eval->add_option("OUT.csv", arguments.out, "Where all columns go, with 17 digits")->required();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lut_cli/reference_columns.h"
 
+#include "core/disk/page_thorne.h"
 #include "core/relativity/star_image.h"
 #include "lut_cli/disk_columns.h"
 #include "lut_cli/ray_columns.h"
@@ -64,6 +65,19 @@ std::string reject_radius(Inputs in) {
 	return in[0] > 0.0 ? "" : "r must be > 0";
 }
 
+std::string reject_plunging(Inputs in) {
+	if (!(in[0] > 0.0 && in[0] <= kInnermostStable)) {
+		return "r must be > 0 and at most 3, the last stable orbit";
+	}
+	if (!(in[1] > 0.0)) {
+		return "a = r_s/b must be > 0";
+	}
+	if (!(in[2] >= -1.0 && in[2] <= 1.0)) {
+		return "tilt must lie between -1 and 1";
+	}
+	return in[3] == 0.0 || in[3] == 1.0 ? "" : "outgoing must be 0 or 1";
+}
+
 std::string reject_deflection(Inputs in) {
 	return in[0] > 0.0 ? "" : "b must be > 0";
 }
@@ -103,6 +117,8 @@ const std::vector<ReferenceKind> &reference_kinds() {
 			{"disk_rain", 4, {"u_o", "inc", "xi", "psi", "r0", "g0", "r1", "g1", "r2", "g2"}, reject_disk,
 					disk_columns::disk_rain},
 			{"page_thorne", 1, {"r", "F_shape", "F_rel", "T_rel"}, reject_radius, disk_columns::page_thorne},
+			{"plunging_gas", 4, {"r", "a", "tilt", "outgoing", "redshift"}, reject_plunging,
+					disk_columns::plunging_gas},
 	};
 	return kinds;
 }

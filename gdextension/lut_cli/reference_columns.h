@@ -14,7 +14,7 @@ namespace blackhole {
 /// One kind of reference table: what goes in, what comes out. A row of results starts with the inputs.
 struct ReferenceKind {
 	/// inverse_static, inverse_rain, forward_static, forward_rain, images, rings, shadow, gshift, deflection,
-	/// disk_static, disk_rain or page_thorne.
+	/// disk_static, disk_rain, page_thorne or plunging_gas.
 	std::string name;
 	std::size_t input_count;
 	std::vector<std::string> columns;

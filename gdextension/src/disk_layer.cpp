@@ -24,14 +24,15 @@ constexpr double kDeepest = 0.1;
 /// After so many lifetimes eddies are the same again.
 constexpr double kGenerations = 65536.0;
 
-const char *shader_path(SkyShaders needed) {
+const char *shader_path(SkyShaders needed, bool plain) {
 	switch (needed) {
 		case SkyShaders::kGeneral:
 			return "res://addons/blackhole_sky/shaders/accretion_disk_general.gdshader";
 		case SkyShaders::kMap:
 			return "res://addons/blackhole_sky/shaders/accretion_disk_map.gdshader";
 		default:
-			return "res://addons/blackhole_sky/shaders/accretion_disk_lensed.gdshader";
+			return plain ? "res://addons/blackhole_sky/shaders/accretion_disk_plain.gdshader"
+						 : "res://addons/blackhole_sky/shaders/accretion_disk_lensed.gdshader";
 	}
 }
 
@@ -89,9 +90,12 @@ void DiskLayer::set_shown(bool p_shown) {
 
 void DiskLayer::load_shader() {
 	const SkyShaders needed = sky.shaders == SkyShaders::kFlat ? SkyShaders::kRadial : sky.shaders;
-	if (shader.is_null() || needed != loaded) {
-		shader = ResourceLoader::get_singleton()->load(shader_path(needed));
+	const bool plain =
+			disk.look == DiskSettings::kPhysical && !disk.plunging && disk.opacity == 1.0 && !redshift_map;
+	if (shader.is_null() || needed != loaded || plain != loaded_plain) {
+		shader = ResourceLoader::get_singleton()->load(shader_path(needed, plain));
 		loaded = needed;
+		loaded_plain = plain;
 		triangle.set_shader(shader->get_rid());
 	}
 }

@@ -40,6 +40,7 @@ private:
 	godot::Ref<LensingTable> table;
 	double hole_scale = 1.0;
 	SkyShaders loaded = SkyShaders::kFlat; ///< which `shader` is
+	bool loaded_plain = false;
 	bool shown = false;
 	bool redshift_map = false;
 };

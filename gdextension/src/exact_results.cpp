@@ -65,3 +65,19 @@ Dictionary exact_trace(const char *caller, const Vector3 &position, const Vector
 	result["redshift"] = ray.value->redshift;
 	return result;
 }
+
+Dictionary exact_disk_point(const char *caller, const Vector3 &position, const Vector3 &view_direction,
+		const blackhole::DiskPlane &plane, int order, const blackhole::ObserverField &observer) {
+	const blackhole::Outcome<blackhole::DiskPoint> point =
+			blackhole::seen_disk_point(to_glm(position), to_glm(view_direction), plane, order, observer);
+	Dictionary result;
+	if (!point) {
+		complain(caller, "disk_point", point.error);
+		return result;
+	}
+	result["reached"] = point.value->reached;
+	result["radius"] = point.value->radius;
+	result["place"] = to_godot(point.value->place);
+	result["redshift"] = point.value->redshift;
+	return result;
+}

@@ -5,6 +5,7 @@
 #include <godot_cpp/variant/string.hpp>
 #include <godot_cpp/variant/vector3.hpp>
 
+#include "core/disk/disk_point.h"
 #include "core/relativity/observer_field.h"
 #include "src/lensing_table.h"
 
@@ -17,3 +18,6 @@ godot::Dictionary exact_star_image(const char *caller, const godot::Vector3 &pos
 		const godot::Vector3 &star, int order, const blackhole::ObserverField &observer);
 godot::Dictionary exact_trace(const char *caller, const godot::Vector3 &position,
 		const godot::Vector3 &view_direction, const blackhole::ObserverField &observer);
+godot::Dictionary exact_disk_point(const char *caller, const godot::Vector3 &position,
+		const godot::Vector3 &view_direction, const blackhole::DiskPlane &plane, int order,
+		const blackhole::ObserverField &observer);

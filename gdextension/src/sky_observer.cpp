@@ -116,6 +116,12 @@ Dictionary SkyObserver::trace(const Vector3 &position, const Vector3 &view_direc
 	return exact_trace("SkyObserver", position, view_direction, field());
 }
 
+Dictionary SkyObserver::disk_point(const Vector3 &position, const Vector3 &view_direction,
+		const Vector3 &normal, int order, bool retrograde) const {
+	return exact_disk_point(
+			"SkyObserver", position, view_direction, {to_glm(normal), retrograde}, order, field());
+}
+
 void SkyObserver::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("set_motion", "motion"), &SkyObserver::set_motion);
 	ClassDB::bind_method(D_METHOD("get_motion"), &SkyObserver::get_motion);
@@ -139,6 +145,9 @@ void SkyObserver::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("shadow", "position"), &SkyObserver::shadow);
 	ClassDB::bind_method(D_METHOD("star_image", "position", "star", "order"), &SkyObserver::star_image);
 	ClassDB::bind_method(D_METHOD("trace", "position", "view_direction"), &SkyObserver::trace);
+	ClassDB::bind_method(
+			D_METHOD("disk_point", "position", "view_direction", "normal", "order", "retrograde"),
+			&SkyObserver::disk_point, DEFVAL(false));
 
 	ADD_PROPERTY(
 			PropertyInfo(Variant::INT, "motion", PROPERTY_HINT_ENUM, "Static,Rain,Infall,Orbit,Velocity"),

@@ -47,6 +47,8 @@ public:
 	godot::Dictionary shadow(const godot::Vector3 &position) const;
 	godot::Dictionary star_image(const godot::Vector3 &position, const godot::Vector3 &star, int order) const;
 	godot::Dictionary trace(const godot::Vector3 &position, const godot::Vector3 &view_direction) const;
+	godot::Dictionary disk_point(const godot::Vector3 &position, const godot::Vector3 &view_direction,
+			const godot::Vector3 &normal, int order, bool retrograde) const;
 
 	/// The same for core.
 	blackhole::ObserverField field() const;

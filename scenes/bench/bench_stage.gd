@@ -10,6 +10,8 @@ enum Picture {
 	LENSED_STARS_2,
 	PLAIN_PANORAMA,
 	LENSED_PANORAMA,
+	HIDDEN_DISK,
+	DISK,
 	MARCH_1000,
 }
 
@@ -28,6 +30,8 @@ var sky := BlackHoleSky.new()
 var camera := Camera3D.new()
 
 var _march := MeshInstance3D.new()
+## Three orders of a black-body disk.
+var _disk := AccretionDisk.new()
 
 
 func _init() -> void:
@@ -43,6 +47,8 @@ func _init() -> void:
 	world.environment.background_color = Color.BLACK
 	for node: Node in [world, camera, sky, _march]:
 		viewport.add_child(node)
+	_disk.basis = Basis(Vector3.RIGHT, 0.5)
+	_disk.visible = false
 	add_child(viewport)
 	aim(0.0)
 
@@ -84,7 +90,10 @@ func aim(angle: float) -> void:
 
 func show_picture(picture: Picture) -> void:
 	var stars := [Picture.PLAIN_STARS, Picture.LENSED_STARS_1, Picture.LENSED_STARS_2]
-	var panoramas := [Picture.PLAIN_PANORAMA, Picture.LENSED_PANORAMA]
+	var with_disk := picture == Picture.DISK or picture == Picture.HIDDEN_DISK
+	var panoramas := [
+		Picture.PLAIN_PANORAMA, Picture.LENSED_PANORAMA, Picture.HIDDEN_DISK, Picture.DISK
+	]
 	var plain := picture == Picture.PLAIN_STARS or picture == Picture.PLAIN_PANORAMA
 	sky.visible = picture != Picture.EMPTY and picture != Picture.MARCH_1000
 	sky.stars_visible = stars.has(picture)
@@ -94,6 +103,16 @@ func show_picture(picture: Picture) -> void:
 	sky.image_orders = 2 if picture == Picture.LENSED_STARS_2 else 1
 	sky.lensing = 0.0 if plain else 1.0
 	_march.visible = picture == Picture.MARCH_1000
+	if with_disk and _disk.get_parent() == null:
+		sky.add_child(_disk)
+	elif not with_disk and _disk.get_parent() != null:
+		sky.remove_child(_disk)
+	_disk.visible = picture == Picture.DISK
+
+
+func _notification(what: int) -> void:
+	if what == NOTIFICATION_PREDELETE and _disk.get_parent() == null:
+		_disk.free()
 
 
 func _screen_triangle() -> ArrayMesh:

@@ -44,7 +44,10 @@ static func from_data(data: Variant) -> ShotDisk:
 		return null
 	var keys: Dictionary = data if data is Dictionary else {}
 	var disk := ShotDisk.new()
-	disk.values.assign(DiskPresets.values(keys.get("preset", DiskPresets.DEFAULT)))
+	for key: String in PROPERTIES:
+		var property := PROPERTIES[key]
+		disk.values[property] = ClassDB.class_get_property_default_value("AccretionDisk", property)
+	disk.values.merge(DiskPresets.values(keys.get("preset", DiskPresets.DEFAULT)), true)
 	for key: String in PROPERTIES:
 		if keys.has(key):
 			disk.values[PROPERTIES[key]] = keys[key]

@@ -6,6 +6,7 @@ extends Node3D
 @onready var _data: SkyData = $Data
 @onready var _switches: SkySwitches = $Switches
 @onready var _overlays: SkyOverlays = $Overlays
+@onready var _disk: DiskSwitches = $DiskSwitches
 @onready var _controls: ViewControls = $Controls
 @onready var _choice: ObserverChoice = $Choice
 @onready var _rides: RideDirector = $Rides
@@ -83,6 +84,8 @@ func _route_actions() -> void:
 	_router.route(&"toggle_map", _map.toggle)
 	_router.route(&"toggle_names", _overlays.toggle_names)
 	_router.route(&"toggle_overlays", _overlays.toggle_of_hole)
+	_router.route(&"toggle_disk", _disk.toggle)
+	_router.route(&"next_disk", _disk.next_preset)
 	_router.route(&"next_background", _switches.next_background)
 	_router.route(&"next_image_orders", _switches.next_image_orders)
 	_router.route(&"exposure_up", _switches.change_exposure.bind(1), true)

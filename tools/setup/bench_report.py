@@ -11,7 +11,8 @@ from setup.console import Failure
 Figures = Mapping[str, object]
 
 PICTURES = (
-    "empty", "plain_stars", "lensed_stars_1", "lensed_stars_2", "plain_panorama", "lensed_panorama", "march_1000",
+    "empty", "plain_stars", "lensed_stars_1", "lensed_stars_2", "plain_panorama", "lensed_panorama", "hidden_disk", "disk",
+    "march_1000",
 )
 _NUMBERS = (
     "exact_phi_per_s", "bake_tables_s", "node_update_ms", "catalogue_load_ms", "first_frame_ms",
@@ -28,6 +29,8 @@ _QUOTIENTS = {
     "lensed_stars_1_to_plain": ("lensed_stars_1", "plain_stars", 1.5),
     "lensed_stars_2_to_plain": ("lensed_stars_2", "plain_stars", 2.0),
     "lensed_panorama_to_plain": ("lensed_panorama", "plain_panorama", 2.5),
+    "hidden_disk_to_lensed_panorama": ("hidden_disk", "lensed_panorama", 1.1),
+    "disk_to_lensed_panorama": ("disk", "lensed_panorama", 1.8),
 }
 _MARCH = ("march_1000_to_lensed_panorama", 30.0)
 # The marched picture counts as the lensed one when 99 % of its pixels differ by less than this part of the mean.

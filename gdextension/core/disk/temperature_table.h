@@ -11,7 +11,7 @@ inline constexpr int kTemperatureTableSize = 128;
 
 /// The smooth factor of the temperature of the disk of Page and Thorne, as
 /// addons/blackhole_sky/shaders/disk_gas.gdshaderinc reads it: texel i at s = i/(size - 1), s = sqrt(3/r),
-/// holds T/T_max over s^(3/2) sqrt(1 - s). Linear interpolation leaves a relative error of 1e-5.
+/// holds T/T_max over s^(3/2) sqrt(1 - s). Linear interpolation leaves a relative error of 2.2e-5.
 std::vector<float> bake_temperature_table();
 
 } // namespace blackhole

@@ -165,4 +165,12 @@ Crossing disk_meeting_of_ray(const RayTextures &tables, float u, float y, vec3 a
 	return meeting(tables, eye, azimuth, eye.sigma_c + y, y, normal, order);
 }
 
+float plunge_redshift(float u, float a, float spin, bool outgoing) {
+	return 1.0F / disk_plunge_frequency(u, a, spin, outgoing);
+}
+
+float disk_temperature_share(const Texture &profile, float u, float plunging) {
+	return disk_temperature(profile, u, plunging);
+}
+
 } // namespace lensing_shader

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "core/photometry/constants.h"
+#include "core/photometry/planck.h"
 #include "core/photometry/radiometry.h"
 
 namespace blackhole {
@@ -55,6 +56,19 @@ TEST(Radiometry, TheAddonShowsTheMilkyWayOnThisScale) {
 	const std::size_t place = text.find(declaration);
 	ASSERT_NE(place, std::string::npos);
 	EXPECT_EQ(std::stod(text.substr(place + declaration.size())), kMilkyWayScale);
+}
+
+TEST(Radiometry, TheSunsSurfaceHasTheLightOfTheSunAsAStar) {
+	const double pixel = 1e-9;
+	const double sun = std::numbers::pi * kSolarAngularRadius * kSolarAngularRadius;
+	const double surface = std::exp2(log2_luminance_unit()) * std::pow(10.0, planck_luminance_log10(5772.0));
+	EXPECT_NEAR(surface * sun / pixel / star_luminance_sum(-26.74, pixel), 1.0, 1e-12);
+}
+
+TEST(Radiometry, TheUnitOfLuminanceIsThatOfTheMagnitudes) {
+	// A star of magnitude 0 gives 2.54e-6 lux (Schlyter, Radiometry and photometry in astronomy); 1 cd/m2
+	// gives 1 lux a steradian. The Sun is no black body.
+	EXPECT_NEAR(std::exp2(log2_luminance_unit()) * 2.54e-6 / (kStarGain * kReferenceSolidAngle), 1.0, 0.03);
 }
 
 TEST(Radiometry, AngularRadii) {

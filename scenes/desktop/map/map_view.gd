@@ -15,13 +15,15 @@ const OWN: PackedStringArray = [
 const STAR_GAIN: float = 1.5
 
 var sky: BlackHoleSky
+var disk: AccretionDisk
 var controls: ViewControls
 var labels: SkyLabels
 
 var projection: BlackHoleSky.Projection = BlackHoleSky.PROJECTION_MOLLWEIDE
 
 var _map_sky: BlackHoleSky
-var _shared := PackedStringArray()
+var _map_disk: MapDisk
+var _shared := SharedProperties.new(&"BlackHoleSky", OWN)
 var _dragging: bool = false
 
 @onready var _viewport: SubViewport = %MapViewport
@@ -34,11 +36,6 @@ func _ready() -> void:
 	_camera.cull_mask = LAYER
 	# Compatibility stores display values whatever the buffer; 8 bits are what it shows.
 	_viewport.use_hdr_2d = (RenderingServer.get_current_rendering_method() != "gl_compatibility")
-	for property in ClassDB.class_get_property_list(&"BlackHoleSky", true):
-		var property_name: String = property["name"]
-		var stored: int = property["usage"] & PROPERTY_USAGE_STORAGE
-		if stored != 0 and not OWN.has(property_name):
-			_shared.append(property_name)
 
 
 func _gui_input(event: InputEvent) -> void:
@@ -58,6 +55,7 @@ func open() -> void:
 		_map_sky = BlackHoleSky.new()
 		_map_sky.render_layers = LAYER
 		_viewport.add_child(_map_sky)
+		_map_disk = MapDisk.new(_map_sky)
 		_labels.sky = _map_sky
 	_viewport.render_target_update_mode = SubViewport.UPDATE_ALWAYS
 	follow()
@@ -71,6 +69,7 @@ func close() -> void:
 	if _map_sky != null:
 		_map_sky.queue_free()
 		_map_sky = null
+		_map_disk = null
 
 
 ## The sky of the map; null while it is closed.
@@ -85,14 +84,13 @@ func follow() -> void:
 	var pixels := Vector2i(size * get_window().content_scale_factor).max(Vector2i(16, 16))
 	if _viewport.size != pixels:
 		_viewport.size = pixels
-	for property in _shared:
-		var value: Variant = sky.get(property)
-		if _map_sky.get(property) != value:
-			_map_sky.set(property, value)
+	_shared.copy(sky, _map_sky)
 	_map_sky.exposure = sky.get_effective_exposure() + STAR_GAIN
 	_map_sky.panorama_luminance = sky.panorama_luminance * pow(2.0, -STAR_GAIN)
 	_map_sky.projection = projection
-	_map_sky.global_transform = sky.global_transform
+	if _map_sky.global_transform != sky.global_transform:
+		_map_sky.global_transform = sky.global_transform
+	_map_disk.follow(disk, STAR_GAIN)
 	var eye := controls.rig.get_position() * sky.schwarzschild_radius
 	_camera.transform = Transform3D(_axes(), eye)
 	_labels.stars = labels.stars

@@ -11,6 +11,7 @@ signal toggled(open: bool)
 const INTERVAL: float = 0.1
 
 @export var sky: BlackHoleSky
+@export var disk: AccretionDisk
 @export var controls: ViewControls
 @export var choice: ObserverChoice
 @export var director: RideDirector
@@ -29,6 +30,7 @@ var _projection_before: BlackHoleSky.Projection = BlackHoleSky.PROJECTION_PERSPE
 
 func _ready() -> void:
 	_view.sky = sky
+	_view.disk = disk
 	_view.controls = controls
 	_view.labels = labels
 	_radius.mark = share_of(1.0)

@@ -2,8 +2,8 @@
 class_name SkyPanel
 extends PanelContainer
 ## The panel with everything that no key of its own reaches: effects, observers, rides, mass, lines
-## and names. It can be gone through with the mouse, with the arrow keys alone and with a gamepad
-## alone.
+## and names, accretion disk. It can be gone through with the mouse, with the arrow keys alone and
+## with a gamepad alone.
 
 ## Seconds between two updates.
 const INTERVAL: float = 0.1
@@ -14,6 +14,8 @@ const INTERVAL: float = 0.1
 @export var director: RideDirector
 @export var overlays: SkyOverlays
 @export var map: MapWindow
+@export var disk: DiskSwitches
+@export var disk_clock: DiskClock
 
 var _elapsed: float = 0.0
 
@@ -22,6 +24,7 @@ var _elapsed: float = 0.0
 @onready var _observer: ObserverPage = %ObserverPage
 @onready var _rides: RidesPage = %RidesPage
 @onready var _picture: PicturePage = %PicturePage
+@onready var _disk: DiskPage = %DiskPage
 
 
 # Before the pages are ready.
@@ -38,6 +41,9 @@ func _enter_tree() -> void:
 	picture.sky = sky
 	picture.overlays = overlays
 	picture.map = map
+	var disk_page: DiskPage = %DiskPage
+	disk_page.switches = disk
+	disk_page.clock = disk_clock
 
 
 func _ready() -> void:
@@ -72,10 +78,12 @@ func refresh() -> void:
 	_tabs.set_tab_title(1, tr("Observer"))
 	_tabs.set_tab_title(2, tr("Rides"))
 	_tabs.set_tab_title(3, tr("Sky"))
+	_tabs.set_tab_title(4, tr("Disk"))
 	_effects.refresh(controls.rig.get_distance() <= sky.lensing)
 	_observer.refresh()
 	_rides.refresh()
 	_picture.refresh()
+	_disk.refresh()
 
 
 func _on_tab_changed(_tab: int) -> void:
