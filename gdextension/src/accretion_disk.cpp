@@ -9,7 +9,9 @@
 #include <godot_cpp/classes/world3d.hpp>
 
 #include "core/disk/page_thorne.h"
+#include "core/photometry/radiometry.h"
 #include "src/black_hole_sky.h"
+#include "src/glm_adapter.h"
 #include "src/property_limits.h"
 
 using namespace godot;
@@ -76,6 +78,24 @@ void AccretionDisk::sky_changed(const SkySettings &sky, double hole_scale, const
 void AccretionDisk::changed() {
 	settings.peak_temperature = get_hottest_temperature();
 	layer.set_disk(settings);
+}
+
+std::optional<blackhole::GlowingDisk> AccretionDisk::metered(double hole_scale) const {
+	const bool glows = settings.look == DiskSettings::kPhysical || settings.look == DiskSettings::kTurbulent;
+	if (!glows || !is_visible_in_tree()) {
+		return std::nullopt;
+	}
+	blackhole::GlowingDisk disk;
+	disk.normal = to_glm(settings.axes.get_column(1));
+	disk.retrograde = settings.retrograde;
+	disk.outer_radius = settings.outer_radius;
+	disk.hole_scale = hole_scale;
+	disk.peak_temperature = settings.peak_temperature;
+	disk.plunging_temperature = settings.plunging ? settings.plunging_temperature : 0.0;
+	disk.opacity = settings.opacity;
+	disk.log2_brightness = blackhole::log2_luminance_unit() + settings.brightness_ev;
+	disk.orders = settings.orders;
+	return disk;
 }
 
 double AccretionDisk::get_hottest_temperature() const {

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+
 #include <godot_cpp/classes/node3d.hpp>
 #include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/variant/packed_string_array.hpp>
 
+#include "core/disk/disk_glow.h"
 #include "src/disk_layer.h"
 #include "src/disk_settings.h"
 
@@ -74,7 +77,8 @@ public:
 	/// hole's size against the node's, and the table.
 	void sky_changed(const SkySettings &sky, double hole_scale, const godot::Ref<LensingTable> &table);
 	void redshift_map_changed(bool shown) { layer.set_redshift_map(shown); }
-	const DiskSettings &get_settings() const { return settings; }
+	/// The disk as an exposure meter sees it; nothing while it is hidden or shows what is no light.
+	std::optional<blackhole::GlowingDisk> metered(double hole_scale) const;
 
 protected:
 	static void _bind_methods();

@@ -161,7 +161,8 @@ void BlackHoleSky::apply_to_disks() {
 		return;
 	}
 	// A disk that has no hole any more is one whose hole is tiny.
-	SkySettings around = settings;
+	SkySettings &around = disk_sources.settings;
+	around = settings;
 	const double hole_scale = std::max(lensing, kVanished);
 	around.hole_position = get_global_transform().origin;
 	around.inverse_radius = 1.0 / (schwarzschild_radius * hole_scale);

@@ -182,6 +182,7 @@ private:
 	ExposureMeter exposure_meter;
 	SkySettings settings;
 	std::vector<AccretionDisk *> disks;
+	ExposureMeter::DiskSources disk_sources; ///< with the settings by which the disks are drawn
 
 	double schwarzschild_radius = 1.0;
 	double mass_solar = 10.0;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "src/accretion_disk.h"
 #include "src/property_limits.h"
 
 using namespace godot;
@@ -63,7 +64,14 @@ void BlackHoleSky::meter(const WatchingEye &eye, double seconds, bool all) {
 	// The settings may be those of the last frame, before a table went.
 	const bool lensed = settings.lensing && is_lensing();
 	const blackhole::LensingTables *tables = lensed ? table->data().get() : nullptr;
-	const ExposureMeter::View view{settings, tables, eye, sources};
+	disk_sources.disks.clear();
+	disk_sources.tables = table.is_valid() && table->is_ready() ? table->data().get() : nullptr;
+	for (const AccretionDisk *disk : disks) {
+		if (const auto glowing = disk->metered(std::max(lensing, 1e-6))) {
+			disk_sources.disks.push_back(*glowing);
+		}
+	}
+	const ExposureMeter::View view{settings, tables, eye, sources, disk_sources};
 	if (std::isinf(seconds)) {
 		exposure_meter.settle(view);
 	} else {

@@ -82,6 +82,7 @@ void ExposureMeter::measure(const View &view, std::size_t directions) {
 	light.use(view.sources);
 	const SkySettings &settings = view.settings;
 	const glm::dvec3 place = place_in_radii(settings, view.eye.place);
+	const glm::dvec3 disk_place = place_in_radii(view.disks.settings, view.eye.place);
 	const glm::dmat3 to_world = axes(view.eye);
 	const double reach = half_angle(settings, view.eye);
 	const Basis to_sky = settings.sky_to_world.transposed();
@@ -91,8 +92,28 @@ void ExposureMeter::measure(const View &view, std::size_t directions) {
 		const Sight sight = view.tables != nullptr ? lensed(settings, *view.tables, place, direction)
 												   : straight(settings, direction);
 		const glm::dvec3 sky = to_glm(to_sky.xform(to_godot(sight.sky)));
-		meter.set_luminance(number, sight.captured ? 0.0 : light.luminance(sky, sight.shift));
+		const double behind = sight.captured ? 0.0 : light.luminance(sky, sight.shift);
+		meter.set_luminance(number, before(view.disks, disk_place, direction, behind));
 	}
+}
+
+double ExposureMeter::before(
+		const DiskSources &disks, const glm::dvec3 &place, const glm::dvec3 &direction, double behind) {
+	if (disks.disks.empty() || disks.tables == nullptr) {
+		return behind;
+	}
+	if (planck == nullptr) {
+		planck = std::make_unique<blackhole::PlanckTable>();
+	}
+	double sum = 0.0;
+	double through = 1.0;
+	for (const blackhole::GlowingDisk &disk : disks.disks) {
+		const blackhole::DiskGlow glow =
+				blackhole::disk_glow(*disks.tables, *planck, disk, place, direction, disks.settings.observer);
+		sum += through * glow.luminance;
+		through *= glow.through;
+	}
+	return sum + through * behind;
 }
 
 void ExposureMeter::step(const View &view, double seconds, bool all) {

@@ -2,7 +2,10 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
+#include <vector>
 
+#include "core/disk/disk_glow.h"
 #include "core/photometry/adaptation.h"
 #include "core/photometry/light_meter.h"
 #include "core/tables/lensing_tables.h"
@@ -14,12 +17,19 @@
 /// it.
 class ExposureMeter {
 public:
+	/// The disks before the sky, with the settings by which they are drawn. `tables` null: none.
+	struct DiskSources {
+		std::vector<blackhole::GlowingDisk> disks;
+		SkySettings settings;
+		const blackhole::LensingTables *tables = nullptr;
+	};
 	/// What there is to be metered, and from where. `tables` null: without a hole.
 	struct View {
 		const SkySettings &settings;
 		const blackhole::LensingTables *tables;
 		const WatchingEye &eye;
 		const SkyLight::Sources &sources;
+		const DiskSources &disks;
 	};
 
 	blackhole::ExposureLimits limits;
@@ -41,8 +51,12 @@ public:
 
 private:
 	void measure(const View &view, std::size_t directions);
+	/// Light of the disks, and of what is behind them as far as it comes through.
+	double before(
+			const DiskSources &disks, const glm::dvec3 &place, const glm::dvec3 &direction, double behind);
 
 	SkyLight light;
+	std::unique_ptr<blackhole::PlanckTable> planck; ///< of disks
 	blackhole::LightMeter meter;
 	blackhole::Adaptation adaptation;
 	bool metered = false; ///< all directions have been, once

@@ -29,8 +29,7 @@ const PROPERTIES: Dictionary[String, String] = {
 
 ## The disk's normal, a unit vector.
 var normal := Vector3.UP
-## Time of the disk, in light's travel time over one Schwarzschild radius, that passes in a second of
-## a sequence.
+## How much time of the disk, in r_s/c, passes in a second of a sequence.
 var time_per_second: float = 10.0
 ## Mass of the hole in solar masses, by which an accretion rate heats the disk.
 var mass_solar: float = 10.0

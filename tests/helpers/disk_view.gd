@@ -4,8 +4,8 @@ extends RefCounted
 ## An accretion disk and an eye beside it: where on the picture the exact solution puts its points.
 
 ## Of the grid on which points are looked for first, pixels.
-const GRID: int = 8
-const HALF_GRID: int = 4
+const GRID: int = 16
+const HALF_GRID: int = 8
 
 var view: ExactView
 var disk_basis: Basis

@@ -5,7 +5,7 @@ extends GutTest
 
 const RING: float = 3.0
 ## Of the exact pictures: half the side, and points per pixel and axis.
-const HALF_PATCH: int = 11
+const HALF_PATCH: int = 7
 const SAMPLES: int = 4
 ## Within which the finder looks, pixels.
 const REACH: int = 4

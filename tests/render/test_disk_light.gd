@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: MIT
 extends GutTest
-## The light of the disk: as bright as the exact solution has it, on the scale of the stars, one side
-## brighter than the other, and hiding what is behind.
+## The light of the disk: as bright as the exact solution has it, on the scale of the stars, and
+## hiding what is behind.
 
 ## Exposure at which the disk is as bright as a picture can hold.
 const EXPOSURE_EV: float = -36.0
 const WHITE: float = 0.5
+## Luminance to which automatic exposure brings a uniform sky.
+const KEY: float = 0.004
 ## Inclination in degrees, motion, radius in r_s, vertical field of view in degrees.
 const VIEWS: Array = [
 	[80.0, LensingTable.MOTION_STATIC, 20.0, 60.0],
@@ -72,6 +74,27 @@ func test_the_suns_surface_is_the_sun() -> void:
 	var sun := 30.0 * pow(10.0, 0.4 * 26.74) * (1.0 / 388800.0) / 6.794e-5
 	var expected := sun * PlanckLight.shift_factor(5772.0, redshift) * pow(2.0, EXPOSURE_EV)
 	assert_almost_eq(picture.sample(pixel) / expected, 1.0, 0.01)
+
+
+func test_the_exposure_follows_the_disk() -> void:
+	if not SkyBooth.is_linear():
+		pending("Compatibility keeps no linear light")
+		return
+	_booth.sky.auto_exposure = true
+	_booth.sky.auto_exposure_min_ev = -60.0
+	_aim(30.0, LensingTable.MOTION_STATIC, 12.0, 60.0)
+	var means := PackedFloat64Array()
+	for brightness: float in [-10.0, -20.0]:
+		_disk.brightness_ev = brightness
+		_booth.sky.adapt_at_once()
+		var picture := PictureMeasure.of_image(await _booth.take())
+		var sum := 0.0
+		for value in picture.luminance:
+			sum += value
+		means.append(sum / picture.luminance.size())
+	gut.p("means %s, %.2f EV" % [means, _booth.sky.get_effective_exposure()])
+	assert_almost_eq(means[0] / means[1], 1.0, 0.15, "whatever its brightness")
+	assert_between(means[0], 0.5 * KEY, 2.0 * KEY)
 
 
 func test_an_opaque_disk_hides_the_sky() -> void:

@@ -78,9 +78,9 @@ func test_eddies_go_round_with_the_orbits() -> void:
 		var most := -INF
 		for step in range(-90, 91):
 			var shift := step / 90.0 * 0.6
-			var match_ := _correlation(start, later, shift)
-			if match_ > most:
-				most = match_
+			var alike := _correlation(start, later, shift)
+			if alike > most:
+				most = alike
 				best = shift
 		gut.p("turned %.3f rad, the orbit %.3f, correlation %.2f" % [best, expected, most])
 		assert_almost_eq(best, expected, 0.06)

@@ -2,6 +2,7 @@
 blackhole_add_test(disk_test
 	${CMAKE_CURRENT_SOURCE_DIR}/relativity/brute_force_geodesic.cpp
 	${CMAKE_CURRENT_LIST_DIR}/disk_crossing_test.cpp
+	${CMAKE_CURRENT_LIST_DIR}/disk_point_test.cpp
 	${CMAKE_CURRENT_LIST_DIR}/integrated_sight.cpp
 	${CMAKE_CURRENT_LIST_DIR}/page_thorne_test.cpp
 	${CMAKE_CURRENT_LIST_DIR}/plunging_gas_test.cpp
