@@ -25,7 +25,7 @@ double clearance(const DiskView &view) {
 
 DiskMeeting ExactRays::disk(const DiskView &view, int order) const {
 	const double y = clearance(view);
-	const double r = disk_crossing_radius({view.u, y, view.inclination, view.azimuth}, order);
+	const double r = disk_crossing({view.u, y, view.inclination, view.azimuth}, order).radius;
 	const double observed = radial_redshift(view.u, y, radial_kappa(view.u, view.motion));
 	const double a = LightRay<double>(view.u, y).a;
 	return {r, observed * disk_redshift(r, a, view.inclination, view.azimuth)};

@@ -70,9 +70,8 @@ void AccretionDisk::_process(double delta) {
 }
 
 void AccretionDisk::sky_changed(const SkySettings &sky, double hole_scale, const Ref<LensingTable> &table) {
-	layer.set_sky(sky, hole_scale, table);
 	settings.peak_temperature = get_hottest_temperature();
-	layer.set_disk(settings);
+	layer.set_sky(sky, hole_scale, table, settings);
 }
 
 void AccretionDisk::changed() {

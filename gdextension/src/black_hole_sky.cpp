@@ -34,6 +34,10 @@ BlackHoleSky::BlackHoleSky() {
 	set_notify_transform(true);
 }
 
+double BlackHoleSky::hole_scale() const {
+	return std::max(lensing, kVanished);
+}
+
 bool BlackHoleSky::is_lensing() const {
 	return lensing > kVanished && table.is_valid() && table->is_ready();
 }
@@ -120,7 +124,7 @@ void BlackHoleSky::apply_settings() {
 	settings.hole_position = place.origin;
 	settings.sky_to_world = place.basis.orthonormalized();
 	settings.lensing = is_lensing();
-	settings.inverse_radius = 1.0 / (schwarzschild_radius * std::max(lensing, kVanished));
+	settings.inverse_radius = 1.0 / (schwarzschild_radius * hole_scale());
 	settings.shaders = shaders_needed();
 	settings.observer = observer_field();
 	settings.observer.axis = to_glm(settings.sky_to_world.xform(to_godot(settings.observer.axis)));
@@ -163,11 +167,10 @@ void BlackHoleSky::apply_to_disks() {
 	// A disk that has no hole any more is one whose hole is tiny.
 	SkySettings &around = disk_sources.settings;
 	around = settings;
-	const double hole_scale = std::max(lensing, kVanished);
 	around.hole_position = get_global_transform().origin;
-	around.inverse_radius = 1.0 / (schwarzschild_radius * hole_scale);
+	around.inverse_radius = 1.0 / (schwarzschild_radius * hole_scale());
 	for (AccretionDisk *disk : disks) {
-		disk->sky_changed(around, hole_scale, table);
+		disk->sky_changed(around, hole_scale(), table);
 	}
 }
 
@@ -431,7 +434,7 @@ double BlackHoleSky::distance_to(const Vector3 &world_position) const {
 Vector3 BlackHoleSky::place_of(const Vector3 &world_position) const {
 	const Transform3D place = get_global_transform();
 	const Vector3 offset = place.basis.orthonormalized().transposed().xform(world_position - place.origin);
-	return offset / static_cast<real_t>(schwarzschild_radius * std::max(lensing, kVanished));
+	return offset / static_cast<real_t>(schwarzschild_radius * hole_scale());
 }
 
 double BlackHoleSky::shadow_angle_at(const Vector3 &world_position) const {

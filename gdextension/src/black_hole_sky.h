@@ -171,6 +171,7 @@ private:
 	void node_added(godot::Node *node);
 	void node_removed(godot::Node *node);
 	bool is_lensing() const;
+	double hole_scale() const; ///< of the hole that is drawn, above 0 also where it counts as none
 	SkyShaders shaders_needed() const;
 	blackhole::ObserverField observer_field() const;
 	godot::Vector3 place_of(const godot::Vector3 &world_position) const;

@@ -67,7 +67,7 @@ void BlackHoleSky::meter(const WatchingEye &eye, double seconds, bool all) {
 	disk_sources.disks.clear();
 	disk_sources.tables = table.is_valid() && table->is_ready() ? table->data().get() : nullptr;
 	for (const AccretionDisk *disk : disks) {
-		if (const auto glowing = disk->metered(std::max(lensing, 1e-6))) {
+		if (const auto glowing = disk->metered(hole_scale())) {
 			disk_sources.disks.push_back(*glowing);
 		}
 	}

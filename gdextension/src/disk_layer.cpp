@@ -62,13 +62,14 @@ void DiskLayer::make() {
 	triangle.set_parameter("_profile_table", profile->get_rid());
 	triangle.set_parameter("_planck_table", planck_texture()->get_rid());
 	triangle.set_scenario(scenario);
-	dress();
 }
 
-void DiskLayer::show() {
-	const bool drawn = shown && scenario.is_valid() && table.is_valid() && table->is_ready();
+/// What is hidden is dressed when it is shown again.
+void DiskLayer::refresh() {
+	const bool drawn = is_drawn();
 	if (drawn) {
 		make();
+		dress();
 	}
 	if (triangle.is_made()) {
 		triangle.set_visible(drawn);
@@ -80,12 +81,12 @@ void DiskLayer::set_scenario(const RID &p_scenario) {
 	if (triangle.is_made()) {
 		triangle.set_scenario(scenario);
 	}
-	show();
+	refresh();
 }
 
 void DiskLayer::set_shown(bool p_shown) {
 	shown = p_shown;
-	show();
+	refresh();
 }
 
 void DiskLayer::load_shader() {
@@ -100,27 +101,28 @@ void DiskLayer::load_shader() {
 	}
 }
 
-void DiskLayer::set_sky(const SkySettings &settings, double p_hole_scale, const Ref<LensingTable> &p_table) {
+void DiskLayer::set_sky(const SkySettings &settings, double p_hole_scale, const Ref<LensingTable> &p_table,
+		const DiskSettings &disk_then) {
 	sky = settings;
 	hole_scale = p_hole_scale;
 	table = p_table;
-	show();
-	dress();
+	disk = disk_then;
+	refresh();
 }
 
 void DiskLayer::set_redshift_map(bool p_shown) {
 	redshift_map = p_shown;
-	dress();
+	refresh();
 }
 
 void DiskLayer::set_disk(const DiskSettings &settings) {
 	disk = settings;
-	dress();
+	refresh();
 }
 
 void DiskLayer::set_time(const DiskSettings &settings) {
 	disk.time = settings.time;
-	if (!triangle.is_made()) {
+	if (!is_drawn()) {
 		return;
 	}
 	const double stage = disk.time / disk.lifetime;
@@ -131,9 +133,6 @@ void DiskLayer::set_time(const DiskSettings &settings) {
 }
 
 void DiskLayer::dress() {
-	if (!triangle.is_made() || table.is_null() || !table->is_ready()) {
-		return;
-	}
 	load_shader();
 	set_sky_uniforms(triangle.get_material(), sky);
 	triangle.set_render_layers(sky.render_layers);

@@ -19,16 +19,18 @@ public:
 	void set_scenario(const godot::RID &scenario);
 	void set_shown(bool shown);
 	/// The hole, the observers and the tables; `hole_scale`: r_s of the settings in the node's, below 1 while
-	/// the hole is made to vanish. Without a table nothing is drawn.
-	void set_sky(const SkySettings &settings, double hole_scale, const godot::Ref<LensingTable> &table);
+	/// the hole is made to vanish. Without a table nothing is drawn. With the disk as it is then.
+	void set_sky(const SkySettings &settings, double hole_scale, const godot::Ref<LensingTable> &table,
+			const DiskSettings &disk_then);
 	void set_redshift_map(bool shown);
 	void set_disk(const DiskSettings &settings);
 	void set_time(const DiskSettings &settings);
 
 private:
+	bool is_drawn() const { return shown && scenario.is_valid() && table.is_valid() && table->is_ready(); }
+	void refresh();
 	void make();
 	void dress();
-	void show();
 	void load_shader();
 
 	ScreenTriangle triangle;

@@ -25,19 +25,21 @@ double first_angle(const DiskSight &sight) {
 
 } // namespace
 
-double disk_crossing_radius(const DiskSight &sight, int order) {
+DiskCrossing disk_crossing(const DiskSight &sight, int order) {
 	const LightRay<double> ray(sight.u, sight.y);
 	const double chi = first_angle(sight) + std::numbers::pi * order;
-	const bool inward = ray.u_slope < 0.0;
-	double eta = sight.y > 0.0 ? orbital_angle(sight.u, sight.y) - chi : kNaN; // from the sky's end
-	if (inward) {
+	const double ahead = sight.y > 0.0 ? orbital_angle(sight.u, sight.y) - chi : kNaN; // from the sky's end
+	double behind = kNaN;
+	if (ray.u_slope < 0.0) {
 		// The same ray followed the other way, past the observer, comes from infinity as well.
 		const double other = (1.0 - sight.u) / ray.sigma - critical_sigma(sight.u);
-		const double behind = other > 0.0 ? orbital_angle(sight.u, other) + chi : kNaN;
-		eta = sight.y > 0.0 ? std::min(eta, behind) : behind;
+		behind = other > 0.0 ? orbital_angle(sight.u, other) + chi : kNaN;
 	}
+	const bool outgoing = behind < ahead || std::isnan(ahead);
+	const double eta = outgoing ? behind : ahead;
 	// Followed backwards, light that is seen comes from nowhere deeper than its observer and the horizon.
-	return 1.0 / inverse_radius_on_ray(ray.a, ray.epsilon, eta, std::max(1.0, sight.u));
+	const double u = inverse_radius_on_ray(ray.a, ray.epsilon, eta, std::max(1.0, sight.u));
+	return {1.0 / u, chi, outgoing};
 }
 
 double disk_redshift(double r, double a, double inclination, double azimuth) {

@@ -13,12 +13,18 @@ struct DiskSight {
 	double azimuth = 0.0;
 };
 
-/// Radius r [r_s] where the line of sight, followed backwards, meets the plane for the (order + 1)-th time
-/// (order 0, 1, 2, ...), also within the horizon for an observer there; NaN where it does not, and for the
-/// few lines of sight of which neither end is at infinity: the hole's, from below the photon sphere. From the
-/// exact angles; relative error about 1e-13 (to 1e-11 where the line of sight grazes the plane at a great
-/// radius).
-double disk_crossing_radius(const DiskSight &sight, int order);
+/// Where the line of sight, followed backwards, meets the plane.
+struct DiskCrossing {
+	/// r [r_s], also within the horizon for an observer there; NaN where the line of sight does not come so
+	/// far, and for the few of which neither end is at infinity: the hole's, from below the photon sphere.
+	double radius;
+	double chi;    ///< rad, orbital angle between the observer and the place
+	bool outgoing; ///< the light left it on its way out: between the hole and an eye that looks inwards
+};
+
+/// The (order + 1)-th meeting (order 0, 1, 2, ...). From the exact angles; relative error of the radius about
+/// 1e-13 (to 1e-11 where the line of sight grazes the plane at a great radius).
+DiskCrossing disk_crossing(const DiskSight &sight, int order);
 
 /// nu_observed/nu_emitted over nu_observed/nu_infinity, for gas on the circular orbit of radius r > 1.5 r_s,
 /// right-handed about N, and light with inverse impact parameter a [1/r_s]; NaN for r < 1.5, where no orbit

@@ -25,8 +25,9 @@ double surface_luminance(double p_magnitude) {
 
 double log2_luminance_unit() {
 	constexpr double kSolidAngle = std::numbers::pi * kSolarAngularRadius * kSolarAngularRadius;
-	const double sun = star_luminance_sum(kSolarMagnitude, kSolidAngle);
-	return std::log2(sun) - planck_light(kSolarTemperature).ln_luminance * std::numbers::log2e;
+	static const double kUnit = std::log2(star_luminance_sum(kSolarMagnitude, kSolidAngle)) -
+			planck_light(kSolarTemperature).ln_luminance * std::numbers::log2e;
+	return kUnit;
 }
 
 double star_angular_radius(double p_v_magnitude, double p_temperature, const PlanckTable &p_planck) {

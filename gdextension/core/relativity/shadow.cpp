@@ -54,21 +54,12 @@ Outcome<ApparentShadow> apparent_shadow(glm::dvec3 position_rs, const ObserverFi
 
 Outcome<SkyRay> trace_view_direction(
 		glm::dvec3 position_rs, glm::dvec3 view_direction, const ObserverField &observer) {
-	const Outcome<LocalObserver> local = local_observer(observer, position_rs);
-	if (!local) {
-		return Outcome<SkyRay>::failure(local.error);
-	}
-	// The direction in the radially moving frame: the boost undone.
-	const glm::dvec3 celerity = local.value->celerity;
-	const bool boosted = celerity != glm::dvec3(0.0);
-	const glm::dvec3 direction =
-			boosted ? boost_direction(glm::normalize(view_direction), -celerity) : view_direction;
-	const Outcome<SkyFrame> frame = sky_frame(*local.value, direction);
+	const Outcome<ViewFrame> frame = view_frame(position_rs, view_direction, observer);
 	if (!frame) {
 		return Outcome<SkyRay>::failure(frame.error);
 	}
-	const SkyFrame &at = *frame.value;
-	const double doppler = boosted ? doppler_factor(direction, celerity) : 1.0;
+	const SkyFrame &at = frame.value->at;
+	const double doppler = frame.value->doppler;
 	SkyRay ray;
 	// xi is the direction's angle from the inward radial: its complement is at.angle.
 	const double sigma = at.kappa * (at.far / at.near);

@@ -32,4 +32,22 @@ Outcome<SkyFrame> sky_frame(const LocalObserver &at, glm::dvec3 direction) {
 	return Outcome<SkyFrame>::success(frame);
 }
 
+Outcome<ViewFrame> view_frame(
+		glm::dvec3 position_rs, glm::dvec3 view_direction, const ObserverField &observer) {
+	const Outcome<LocalObserver> local = local_observer(observer, position_rs);
+	if (!local) {
+		return Outcome<ViewFrame>::failure(local.error);
+	}
+	// The boost undone.
+	const glm::dvec3 celerity = local.value->celerity;
+	const bool boosted = celerity != glm::dvec3(0.0);
+	const glm::dvec3 direction =
+			boosted ? boost_direction(glm::normalize(view_direction), -celerity) : view_direction;
+	const Outcome<SkyFrame> frame = sky_frame(*local.value, direction);
+	if (!frame) {
+		return Outcome<ViewFrame>::failure(frame.error);
+	}
+	return Outcome<ViewFrame>::success({*frame.value, boosted ? doppler_factor(direction, celerity) : 1.0});
+}
+
 } // namespace blackhole

@@ -28,4 +28,17 @@ struct SkyFrame {
 /// moving frame, for an observer.
 Outcome<SkyFrame> sky_frame(const LocalObserver &at, glm::dvec3 direction);
 
+/// A viewing direction of an observer, in the radially moving frame.
+struct ViewFrame {
+	SkyFrame at;
+	/// Of the observer's boost, for light that is seen in that direction: nu_observed over nu in the radially
+	/// moving frame.
+	double doppler = 1.0;
+};
+
+/// The frame of `view_direction` (the observer's own frame, any length but zero) at position_rs (from the
+/// hole, r_s). Fails where the motion does not exist.
+Outcome<ViewFrame> view_frame(
+		glm::dvec3 position_rs, glm::dvec3 view_direction, const ObserverField &observer);
+
 } // namespace blackhole

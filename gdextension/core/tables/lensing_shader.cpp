@@ -137,7 +137,8 @@ namespace {
 
 Crossing meeting(const RayTextures &tables, const LensEye &eye, vec3 azimuth, float sigma, float y,
 		vec3 normal, int order) {
-	const DiskSight sight = disk_sight(tables.forward, eye, lens_row(eye), normal, azimuth, sigma, y, y);
+	const DiskSight sight =
+			disk_sight(tables.forward, eye, lens_row(eye), disk_aim(eye, normal, azimuth), sigma, y, y);
 	const DiskCrossing crossing = disk_crossing(tables.radius, sight, order);
 	const float u = crossing.inverse_radius;
 	const DiskClock clock = disk_clock(tables.radius, tables.delay, eye, sight);

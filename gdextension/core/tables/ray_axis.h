@@ -31,6 +31,14 @@ inline double ray_column_slope(int column) {
 			(kRayBend + ray_column_nearness(column));
 }
 
+/// The fit to where plunging rays end: L (1 + sum of height/(L + bend)).
+struct RaySpanTerm {
+	double height;
+	double bend;
+};
+inline constexpr RaySpanTerm kRaySpanNearlyStraight{0.807, 0.0082};
+inline constexpr RaySpanTerm kRaySpanBent{3.086, 0.374};
+
 /// Where the rows end: an angle [rad] a little beyond the turning point, or where a plunging ray has come to
 /// r = r_s/20 or deeper, short of the singularity (a fit to that angle). With its derivative by L.
 struct RaySpan {
@@ -42,10 +50,13 @@ inline RaySpan ray_span(bool turns, double nearness) {
 	if (turns) {
 		return {0.5 * (std::numbers::pi + nearness), 0.5};
 	}
-	const double straight = nearness + 0.0082;
-	const double bent = nearness + 0.374;
-	return {nearness * (1.0 + 0.807 / straight + 3.086 / bent),
-			1.0 + 0.807 * 0.0082 / (straight * straight) + 3.086 * 0.374 / (bent * bent)};
+	const auto &[straight_height, straight_bend] = kRaySpanNearlyStraight;
+	const auto &[bent_height, bent_bend] = kRaySpanBent;
+	const double straight = nearness + straight_bend;
+	const double bent = nearness + bent_bend;
+	return {nearness * (1.0 + straight_height / straight + bent_height / bent),
+			1.0 + straight_height * straight_bend / (straight * straight) +
+					bent_height * bent_bend / (bent * bent)};
 }
 
 } // namespace blackhole

@@ -14,7 +14,9 @@ namespace blackhole {
 namespace {
 
 /// Second derivative of the plunging rays' span by L at L = 0.
-constexpr double kSpanBend = -2.0 * (0.807 / (0.0082 * 0.0082) + 3.086 / (0.374 * 0.374));
+constexpr double kSpanBend = -2.0 *
+		(kRaySpanNearlyStraight.height / (kRaySpanNearlyStraight.bend * kRaySpanNearlyStraight.bend) +
+				kRaySpanBent.height / (kRaySpanBent.bend * kRaySpanBent.bend));
 
 /// The ray of one column in scaled variables that keep their size for all impact parameters. With x = 1 -
 /// exp(-L): turning rays have U = u/a over s = eta, plunging ones U = u over s = a eta; both obey U'' = beta

@@ -38,7 +38,7 @@ TEST(DiskCrossing, AgreesWithAnIntegratorForObserversAnywhere) {
 		IntegratedSight integrated(u, slope_from_rain(u, xi));
 		for (int order = 0; order < 4; ++order) {
 			const double expected = integrated.radius_at(chi + order * kPi);
-			const double found = disk_crossing_radius(sight, order);
+			const double found = disk_crossing(sight, order).radius;
 			if (integrated.margin() < 1e-6) {
 				continue; // on the very end: neither is wrong
 			}
