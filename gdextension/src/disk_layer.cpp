@@ -8,7 +8,6 @@
 #include <godot_cpp/variant/vector2.hpp>
 
 #include "core/disk/page_thorne.h"
-#include "core/disk/temperature_table.h"
 #include "core/photometry/radiometry.h"
 #include "core/relativity/critical.h"
 #include "src/float_texture.h"
@@ -58,8 +57,6 @@ void DiskLayer::make() {
 		return;
 	}
 	triangle.make(kRenderPriority);
-	profile = make_float_texture(blackhole::bake_temperature_table(), blackhole::kTemperatureTableSize, 1);
-	triangle.set_parameter("_profile_table", profile->get_rid());
 	triangle.set_parameter("_planck_table", planck_texture()->get_rid());
 	triangle.set_scenario(scenario);
 }

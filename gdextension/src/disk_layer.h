@@ -35,7 +35,6 @@ private:
 
 	ScreenTriangle triangle;
 	godot::Ref<godot::Shader> shader;
-	godot::Ref<godot::ImageTexture> profile;
 	godot::RID scenario;
 	SkySettings sky;
 	DiskSettings disk;

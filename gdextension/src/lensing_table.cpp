@@ -14,7 +14,7 @@
 #include <godot_cpp/variant/utility_functions.hpp>
 
 #include "core/relativity/shadow.h"
-#include "core/tables/ray_axis.h"
+#include "core/tables/ray_texels.h"
 #include "core/tables/table_file.h"
 #include "src/exact_results.h"
 #include "src/float_texture.h"
@@ -44,8 +44,10 @@ Error LensingTable::refuse(const String &message, Error error) {
 void LensingTable::adopt(blackhole::LensingTables &&p_tables) {
 	inverse_texture = make_float_texture(p_tables.inverse, p_tables.columns, p_tables.rows);
 	forward_texture = make_float_texture(p_tables.forward, p_tables.columns, p_tables.rows);
-	radius_texture = make_float_texture(p_tables.rays.radius, blackhole::kRayColumns, blackhole::kRayRows);
-	delay_texture = make_float_texture(p_tables.rays.delay, blackhole::kRayColumns, blackhole::kRayRows);
+	radius_texture = make_float_texture(
+			p_tables.ray_texels.radius, blackhole::kRayTexelColumns, blackhole::kRayTexelRows);
+	delay_texture = make_float_texture(
+			p_tables.ray_texels.delay, blackhole::kRayTexelColumns, blackhole::kRayTexelRows);
 	tables = std::make_shared<const blackhole::LensingTables>(std::move(p_tables));
 	error_message = String();
 	emit_changed();

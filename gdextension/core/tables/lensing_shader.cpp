@@ -170,8 +170,8 @@ float plunge_redshift(float u, float a, float spin, bool outgoing) {
 	return 1.0F / disk_plunge_frequency(u, a, spin, outgoing);
 }
 
-float disk_temperature_share(const Texture &profile, float u, float plunging) {
-	return disk_temperature(profile, u, plunging);
+float disk_temperature_share(float u, float plunging) {
+	return disk_temperature(u, plunging);
 }
 
 } // namespace lensing_shader

@@ -106,7 +106,7 @@ Crossing disk_meeting_of_ray(const RayTextures &tables, float u, float y, glm::v
 /// nu_infinity/nu_emitted of gas that plunges from the last stable orbit; `spin`: angular momentum over
 /// energy of the light along -N, N being the axis about which the gas turns right-handedly.
 float plunge_redshift(float u, float a, float spin, bool outgoing);
-/// Temperature of the disk over that of its hottest ring, from the temperature table.
-float disk_temperature_share(const Texture &profile, float u, float plunging);
+/// Temperature of the disk over that of its hottest ring.
+float disk_temperature_share(float u, float plunging);
 
 } // namespace lensing_shader

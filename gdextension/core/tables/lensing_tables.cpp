@@ -96,8 +96,8 @@ constexpr double kSkyShare = 0.5;
 } // namespace
 
 LensingTables bake_lensing_tables(const std::function<bool(double)> &progress) {
-	LensingTables tables{
-			kTableColumns, kTableRows, std::log(kTableUMin), std::log(kTableUMax), kTableXLimit, {}, {}, {}};
+	LensingTables tables{kTableColumns, kTableRows, std::log(kTableUMin), std::log(kTableUMax), kTableXLimit,
+			{}, {}, {}, {}};
 	constexpr std::size_t kRowFloats = std::size_t{4} * kTableColumns;
 	tables.inverse.resize(kRowFloats * kTableRows);
 	tables.forward.resize(kRowFloats * kTableRows);
@@ -113,7 +113,11 @@ LensingTables bake_lensing_tables(const std::function<bool(double)> &progress) {
 	}
 	tables.rays = bake_ray_tables(
 			[&progress](double done) { return !progress || progress(kSkyShare + (1.0 - kSkyShare) * done); });
-	return tables.rays.radius.empty() ? LensingTables() : tables;
+	if (tables.rays.radius.empty()) {
+		return {};
+	}
+	tables.ray_texels = sample_ray_tables(tables.rays);
+	return tables;
 }
 
 } // namespace blackhole

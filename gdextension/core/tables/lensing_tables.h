@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/tables/ray_tables.h"
+#include "core/tables/ray_texels.h"
 
 #include <functional>
 #include <vector>
@@ -25,6 +26,8 @@ struct LensingTables {
 	std::vector<float> forward;
 	/// What rays meet on their way, for disks.
 	RayTables rays;
+	/// And as the graphics device reads it.
+	RayTexels ray_texels;
 };
 
 /// Computes all tables from the exact solution, on the calling thread. `progress` gets the part done (0 to

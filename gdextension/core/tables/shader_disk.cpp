@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "core/tables/shader_disk.h"
 
-#include "core/tables/ray_axis.h"
-
 namespace blackhole {
 
 lensing_shader::RayTextures ShaderDisk::textures() const {
-	return {{&data.forward, data.columns}, {&data.rays.radius, kRayColumns}, {&data.rays.delay, kRayColumns}};
+	return {{&data.forward, data.columns}, {&data.ray_texels.radius, kRayTexelColumns},
+			{&data.ray_texels.delay, kRayTexelColumns}};
 }
 
 ShaderDisk::Crossing ShaderDisk::crossing(glm::vec3 place, glm::vec3 view_direction, glm::vec3 normal,

@@ -3,6 +3,7 @@ target_sources(blackhole_core PRIVATE
 	${CMAKE_CURRENT_LIST_DIR}/lensing_shader.cpp
 	${CMAKE_CURRENT_LIST_DIR}/lensing_tables.cpp
 	${CMAKE_CURRENT_LIST_DIR}/ray_tables.cpp
+	${CMAKE_CURRENT_LIST_DIR}/ray_texels.cpp
 	${CMAKE_CURRENT_LIST_DIR}/shader_disk.cpp
 	${CMAKE_CURRENT_LIST_DIR}/shader_lensing.cpp
 	${CMAKE_CURRENT_LIST_DIR}/table_file.cpp

@@ -185,6 +185,7 @@ Outcome<LensingTables> read_lensing_tables(std::span<const std::uint8_t> bytes, 
 		return Outcome<LensingTables>::failure(
 				"Lensing table " + name + " cannot be used: " + fault + ". Re-make it with ./run bake.");
 	}
+	tables.ray_texels = sample_ray_tables(tables.rays);
 	return Outcome<LensingTables>::success(std::move(tables));
 }
 
