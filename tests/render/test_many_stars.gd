@@ -22,6 +22,10 @@ func before_all() -> void:
 
 
 func test_an_eye_that_nears_the_hole_sees_every_image() -> void:
+	var long_run := OS.get_environment("BLACKHOLE_TEST_ALL") == "1"
+	if RenderingServer.get_current_rendering_method() == "forward_plus" and not long_run:
+		pending("Mobile draws these stars by the same shader; ./test --all does it here too")
+		return
 	assert_eq(_stars.get_star_count(), STARS)
 	var booth := _booth()
 	var bytes := PackedInt64Array()

@@ -4,9 +4,13 @@
 from __future__ import annotations
 
 import argparse
+import contextlib
+import itertools
 import json
+import os
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import partial
 
@@ -17,6 +21,8 @@ from testing.context import RESULTS, Context
 from testing.junit import Case
 
 _SHOWN_FIRST, _SHOWN_LAST = 6, 14
+# Each that draws takes a gigabyte.
+_MOST_SIDE_BY_SIDE = 4
 
 
 @dataclass(frozen=True)
@@ -26,6 +32,7 @@ class Stage:
     name: str
     summary: str
     run: Callable[[Context], list[Case]]
+    beside: bool = False  # may run at the same time as its neighbours of this kind, on a machine made ready
 
 
 def _set_up(context: Context) -> list[Case]:
@@ -38,13 +45,16 @@ STAGES = [
     Stage("rules", "rules of the house: lengths, licence lines, directions", style.rules_stage),
     Stage("format", "clang-format and gdformat", style.format_stage),
     Stage("lint", "clang-tidy, gdlint, shellcheck", style.lint_stage),
-    Stage("python", "unit tests of the tools", programs.python_stage),
     Stage("cpp", "GoogleTest on the physics", programs.cpp_stage),
-    Stage("provider", "the binding provider under the address sanitizer", programs.provider_stage),
     Stage("scripts", "scripts, scenes and shaders load without a warning", scripts.scripts_stage),
-    Stage("gut", "GUT tests of the Godot classes", programs.gut_stage),
+    Stage("provider", "the binding provider under the address sanitizer", programs.provider_stage, beside=True),
+    Stage("python", "unit tests of the tools", programs.python_stage, beside=True),
+    Stage("gut", "GUT tests of the Godot classes", programs.gut_stage, beside=True),
     *(
-        Stage(f"render-{renderer}", f"pictures measured, {renderer}", partial(programs.render_stage, renderer=renderer))
+        Stage(
+            f"render-{renderer}", f"pictures measured, {renderer}", partial(programs.render_stage, renderer=renderer),
+            beside=True,
+        )
         for renderer in session.RENDERERS
     ),
     Stage("commands", "./run as a visitor uses it", programs.commands_stage),
@@ -67,8 +77,9 @@ def main(arguments: list[str]) -> int:
     except ValueError as error:
         parser.error(str(error))
     context = Context(all_variants=chosen.all)
-    results = {stage.name: _run(stage, context) for stage in stages}
-    _report(results)
+    started = time.monotonic()
+    results = _run_all(stages, context)
+    _report(results, time.monotonic() - started)
     cases = [case for _, of_stage in results.values() for case in of_stage]
     failed = sum(case.failure is not None for case in cases)
     print(verdict(cases), flush=True)
@@ -103,6 +114,27 @@ def shortened(text: str, whole: str) -> str:
     return "\n".join(f"    {line}" for line in lines)
 
 
+def _run_all(stages: Iterable[Stage], context: Context) -> dict[str, tuple[float, list[Case]]]:
+    """One stage after the other, neighbours that may be run side by side on all processors."""
+    results: dict[str, tuple[float, list[Case]]] = {}
+    for beside, group in itertools.groupby(stages, lambda stage: stage.beside):
+        neighbours = list(group)
+        if beside and len(neighbours) > 1:
+            _prepare(context)
+            with ThreadPoolExecutor(min(os.cpu_count() or 1, _MOST_SIDE_BY_SIDE)) as pool:
+                done = pool.map(lambda stage: _run(stage, context), neighbours)
+                results.update(zip((stage.name for stage in neighbours), done, strict=True))
+        else:
+            results.update((stage.name, _run(stage, context)) for stage in neighbours)
+    return results
+
+
+def _prepare(context: Context) -> None:
+    """The machine made ready before threads would ask for it. What fails here fails in each stage, with its reason."""
+    with contextlib.suppress(Failure, OSError):
+        _ = context.project
+
+
 def _run(stage: Stage, context: Context) -> tuple[float, list[Case]]:
     print(f"[{stage.name}]", flush=True)
     started = time.monotonic()
@@ -114,21 +146,21 @@ def _run(stage: Stage, context: Context) -> tuple[float, list[Case]]:
         cases = [Case("runs", stage.name, failure=f"cannot run: {error}")]
     seconds = time.monotonic() - started
     junit.write(RESULTS / f"{stage.name}.xml", stage.name, cases)
+    lines = []
     for case in cases:
         if case.failure is not None:
-            print(f"  FAILED {case.group}: {case.name}\n{shortened(case.failure, f'{RESULTS / stage.name}.xml')}")
+            lines.append(f"  FAILED {case.group}: {case.name}\n{shortened(case.failure, f'{RESULTS / stage.name}.xml')}")
         elif case.skipped is not None:
-            print(f"  skipped {case.group}: {case.name}: {case.skipped}")
-    print(f"  {verdict(cases)} in {seconds:.1f} s", flush=True)
+            lines.append(f"  skipped {case.group}: {case.name}: {case.skipped}")
+    print("\n".join([*lines, f"  {stage.name}: {verdict(cases)} in {seconds:.1f} s"]), flush=True)
     return seconds, cases
 
 
-def _report(results: dict[str, tuple[float, list[Case]]]) -> None:
-    """The time of each stage, for the reader and as out/test/times.json."""
+def _report(results: dict[str, tuple[float, list[Case]]], total: float) -> None:
+    """The time of each stage and of all of them, for the reader and as out/test/times.json."""
     print("\nstage                     seconds  result")
     for name, (seconds, cases) in results.items():
         print(f"{name:<24}{seconds:>9.1f}  {verdict(cases)}")
-    total = sum(seconds for seconds, _ in results.values())
     print(f"{'total':<24}{total:>9.1f}\n")
     times = {name: round(seconds, 2) for name, (seconds, _) in results.items()}
     (RESULTS / "times.json").write_text(json.dumps(times, indent=2) + "\n", encoding="utf-8")

@@ -59,7 +59,7 @@ def gut_stage(context: Context) -> list[Case]:
     godot = context.project
     command = [godot.executable, "--headless", "--path", paths.ROOT, "-s", "addons/gut/gut_cmdln.gd"]
     options = ["-gconfig=res://.gutconfig.json", "-gexit", f"-gjunit_xml_file={result_file('gut')}"]
-    cases = run_for_junit([*command, *options], "gut", 600, context.environment())
+    cases = run_for_junit([*command, *options], "gut", 600, _own_home("gut", context))
     return cases + _scripts_left_out("gut", "tests/unit", "tests/integration")
 
 
@@ -74,7 +74,14 @@ def render_stage(context: Context, renderer: str) -> list[Case]:
         "-s", "addons/gut/gut_cmdln.gd", "-gconfig=", "-gdir=res://tests/render", "-ginclude_subdirs", "-gexit",
         f"-gjunit_xml_file={result_file(name)}",
     ])
-    return run_for_junit(command, name, 900, context.environment()) + _scripts_left_out(name, "tests/render")
+    return run_for_junit(command, name, 900, _own_home(name, context)) + _scripts_left_out(name, "tests/render")
+
+
+def _own_home(name: str, context: Context) -> dict[str, str]:
+    """The environment with a folder of its own for what the engine keeps of a user: others run at the same time."""
+    home = paths.BUILD / "test-results" / f"home-{name}"
+    home.mkdir(parents=True, exist_ok=True)
+    return context.environment() | {"XDG_DATA_HOME": str(home)}
 
 
 def _scripts_left_out(name: str, *folders: str) -> list[Case]:

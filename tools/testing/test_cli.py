@@ -2,6 +2,7 @@
 import contextlib
 import io
 import tempfile
+import threading
 import unittest
 from collections.abc import Callable
 from pathlib import Path
@@ -47,6 +48,18 @@ class Main(unittest.TestCase):
         good = _stage("good", lambda _: [Case("a")])
         self.assertEqual(self._run(_stage("trouble", _trouble), good), (1, "1 passed, 1 failed"))
         self.assertEqual(self.results["trouble"][0].failure, "no engine")
+
+    def test_neighbours_that_may_run_beside_each_other(self) -> None:
+        both_here = threading.Barrier(2, timeout=20.0)
+
+        def meet(_context: Context) -> list[Case]:
+            both_here.wait()
+            return [Case("met")]
+
+        stages = [Stage(name, "", meet, beside=True) for name in ("one", "other")]
+        with mock.patch.object(cli, "_prepare"), mock.patch.object(cli.os, "cpu_count", return_value=2):
+            self.assertEqual(self._run(*stages), (0, "2 passed, 0 failed"))
+        self.assertEqual(set(self.results), {"one", "other"})
 
     def test_of_a_long_failure_both_ends_are_shown(self) -> None:
         lines = cli.shortened("\n".join(str(number) for number in range(100)), "a.xml").split("\n")

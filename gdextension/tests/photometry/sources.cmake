@@ -17,5 +17,5 @@ blackhole_add_test(test_point_spread_table
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
 	set_source_files_properties(
 		${CMAKE_CURRENT_LIST_DIR}/planck_shader.cpp ${CMAKE_CURRENT_LIST_DIR}/profile_shader.cpp
-		PROPERTIES COMPILE_OPTIONS "-fsingle-precision-constant")
+		PROPERTIES COMPILE_OPTIONS "-fsingle-precision-constant" SKIP_PRECOMPILE_HEADERS ON)
 endif()
