@@ -3,14 +3,12 @@
 
 #include "core/disk/page_thorne.h"
 #include "core/disk/plunging_gas.h"
+#include "core/relativity/not_a_number.h"
 #include "core/relativity/observer.h"
-
-#include <limits>
 
 namespace blackhole::disk_columns {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr int kOrders = 3;
 
 std::vector<double> crossings(const RaySource &rays, std::span<const double> inputs, ObserverMotion motion) {

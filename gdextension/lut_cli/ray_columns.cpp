@@ -5,19 +5,17 @@
 #include "core/relativity/deflection.h"
 #include "core/relativity/light_ray.h"
 #include "core/relativity/magnification.h"
+#include "core/relativity/not_a_number.h"
 #include "core/relativity/observer.h"
 #include "core/relativity/redshift.h"
 #include "core/relativity/shadow.h"
 #include "core/relativity/view_angle.h"
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace blackhole::ray_columns {
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// xi, xi - xi_shadow, dxi/dPhi, mu, g for one observer; all nan where it does not exist.
 struct View {

@@ -3,17 +3,15 @@
 
 #include "core/disk/disk_crossing.h"
 #include "core/relativity/light_ray.h"
+#include "core/relativity/not_a_number.h"
 #include "core/relativity/redshift.h"
 #include "core/relativity/view_angle.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace blackhole {
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// sigma - sigma_c of its ray.
 double clearance(const DiskView &view) {

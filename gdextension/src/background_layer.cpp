@@ -6,11 +6,12 @@
 #include <godot_cpp/classes/resource.hpp>
 #include <godot_cpp/classes/resource_loader.hpp>
 
+#include "src/draw_order.h"
+
 using namespace godot;
 
 namespace {
 
-constexpr int kRenderPriority = -110; // drawn first of all that is transparent
 /// The Compatibility renderer does not decode sRGB textures; the others do by the texture's format.
 bool arrives_as_srgb(RenderingServer *server, const RID &texture) {
 	if (server->get_current_rendering_method() != "gl_compatibility") {
@@ -50,7 +51,7 @@ void BackgroundLayer::ensure() {
 			"res://addons/blackhole_sky/shaders/background_map.gdshader");
 	flat_shader = ResourceLoader::get_singleton()->load(
 			"res://addons/blackhole_sky/shaders/background_flat.gdshader");
-	triangle.make(kRenderPriority);
+	triangle.make(kBackgroundPriority);
 	dressed = false;
 	triangle.set_parameter("_panorama_is_light", true);
 	show();

@@ -144,6 +144,7 @@ void BlackHoleSky::apply_settings() {
 		settings.effects &= ~(EFFECT_DEFLECTION | EFFECT_GRAVITATIONAL_SHIFT);
 	}
 	settings.saturation = saturation;
+	settings.stereo_baseline_scale = stereo_baseline_scale;
 	applied_exposure = get_effective_exposure();
 	settings.exposure = std::exp2(applied_exposure);
 	settings.psf_model = static_cast<blackhole::PointSpread>(psf_model);
@@ -344,6 +345,11 @@ void BlackHoleSky::set_projection(Projection kind) {
 
 void BlackHoleSky::set_saturation(double factor) {
 	saturation = limited(factor, 0.0, 4.0, saturation);
+	settings_changed();
+}
+
+void BlackHoleSky::set_stereo_baseline_scale(double factor) {
+	stereo_baseline_scale = limited(factor, 0.0, 1.0, stereo_baseline_scale);
 	settings_changed();
 }
 

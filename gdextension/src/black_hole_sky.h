@@ -105,6 +105,8 @@ public:
 	bool are_higher_orders_shown() const { return higher_orders; }
 	void set_saturation(double factor);
 	double get_saturation() const { return saturation; }
+	void set_stereo_baseline_scale(double factor);
+	double get_stereo_baseline_scale() const { return stereo_baseline_scale; }
 	void set_redshift_map(bool shown);
 	bool is_redshift_map_shown() const { return redshift_map; }
 
@@ -192,6 +194,7 @@ private:
 	int effects = lensing_shader::kAllEffects;
 	bool higher_orders = true;
 	double saturation = 1.0;
+	double stereo_baseline_scale = 1.0;
 	Projection projection = PROJECTION_PERSPECTIVE;
 	int overlays = 0;
 	double overlay_width = 1.5;

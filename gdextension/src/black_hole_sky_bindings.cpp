@@ -98,6 +98,9 @@ void BlackHoleSky::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("are_higher_orders_shown"), &BlackHoleSky::are_higher_orders_shown);
 	ClassDB::bind_method(D_METHOD("set_saturation", "factor"), &BlackHoleSky::set_saturation);
 	ClassDB::bind_method(D_METHOD("get_saturation"), &BlackHoleSky::get_saturation);
+	ClassDB::bind_method(
+			D_METHOD("set_stereo_baseline_scale", "factor"), &BlackHoleSky::set_stereo_baseline_scale);
+	ClassDB::bind_method(D_METHOD("get_stereo_baseline_scale"), &BlackHoleSky::get_stereo_baseline_scale);
 	ClassDB::bind_method(D_METHOD("set_redshift_map", "shown"), &BlackHoleSky::set_redshift_map);
 	ClassDB::bind_method(D_METHOD("is_redshift_map_shown"), &BlackHoleSky::is_redshift_map_shown);
 	ClassDB::bind_method(D_METHOD("set_overlays", "shown"), &BlackHoleSky::set_overlays);
@@ -225,6 +228,8 @@ void BlackHoleSky::_bind_methods() {
 			"set_adaptation_speed", "get_adaptation_speed");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "saturation", PROPERTY_HINT_RANGE, "0,4,0.01"),
 			"set_saturation", "get_saturation");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "stereo_baseline_scale", PROPERTY_HINT_RANGE, "0,1,0.01"),
+			"set_stereo_baseline_scale", "get_stereo_baseline_scale");
 	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "redshift_map"), "set_redshift_map", "is_redshift_map_shown");
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "background", PROPERTY_HINT_ENUM, "None,Grid,Panorama"),
 			"set_background", "get_background");

@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "src/circular_orbit_path.h"
 
-#include <limits>
 #include <numbers>
 
 #include <godot_cpp/variant/utility_functions.hpp>
 
 #include "core/relativity/clocks.h"
+#include "core/relativity/not_a_number.h"
 #include "src/glm_adapter.h"
 
 using namespace godot;
 
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kTurn = 2.0 * std::numbers::pi;
 
 } // namespace
@@ -32,7 +31,7 @@ Error CircularOrbitPath::start(const Vector3 &position, const Vector3 &axis) {
 }
 
 double CircularOrbitPath::get_radius() const {
-	return orbit ? orbit->radius() : kNaN;
+	return orbit ? orbit->radius() : blackhole::kNaN;
 }
 
 Vector3 CircularOrbitPath::get_axis() const {
@@ -40,15 +39,15 @@ Vector3 CircularOrbitPath::get_axis() const {
 }
 
 double CircularOrbitPath::get_energy() const {
-	return orbit ? orbit->energy() : kNaN;
+	return orbit ? orbit->energy() : blackhole::kNaN;
 }
 
 double CircularOrbitPath::get_period() const {
-	return orbit ? kTurn / orbit->proper_angular_velocity() : kNaN;
+	return orbit ? kTurn / orbit->proper_angular_velocity() : blackhole::kNaN;
 }
 
 double CircularOrbitPath::get_rain_period() const {
-	return orbit ? kTurn / orbit->rain_angular_velocity() : kNaN;
+	return orbit ? kTurn / orbit->rain_angular_velocity() : blackhole::kNaN;
 }
 
 Vector3 CircularOrbitPath::position_at(double proper_time) const {
@@ -60,16 +59,16 @@ Vector3 CircularOrbitPath::celerity_at(double proper_time) const {
 }
 
 double CircularOrbitPath::rain_time_at(double proper_time) const {
-	return orbit ? orbit->rain_time_at(proper_time) : kNaN;
+	return orbit ? orbit->rain_time_at(proper_time) : blackhole::kNaN;
 }
 
 double CircularOrbitPath::far_clock_rate_at(double proper_time, const Vector3 &view_direction) const {
 	if (!orbit) {
-		return kNaN;
+		return blackhole::kNaN;
 	}
 	return blackhole::far_clock_rate(
 			orbit->position_at(proper_time), orbit->celerity_at(proper_time), to_glm(view_direction))
-			.value.value_or(kNaN);
+			.value.value_or(blackhole::kNaN);
 }
 
 void CircularOrbitPath::_bind_methods() {

@@ -10,6 +10,7 @@
 #include "core/disk/page_thorne.h"
 #include "core/photometry/radiometry.h"
 #include "core/relativity/critical.h"
+#include "src/draw_order.h"
 #include "src/float_texture.h"
 #include "src/planck_texture.h"
 
@@ -17,7 +18,6 @@ using namespace godot;
 
 namespace {
 
-constexpr int kRenderPriority = -90; // over the stars, which it hides
 /// To here plunging gas is followed [r_s], for who is there to see it.
 constexpr double kDeepest = 0.1;
 /// After so many lifetimes eddies are the same again.
@@ -56,7 +56,7 @@ void DiskLayer::make() {
 	if (triangle.is_made()) {
 		return;
 	}
-	triangle.make(kRenderPriority);
+	triangle.make(kDiskPriority);
 	triangle.set_parameter("_planck_table", planck_texture()->get_rid());
 	triangle.set_scenario(scenario);
 }

@@ -24,7 +24,7 @@ using namespace godot;
 namespace {
 
 // Ten times the size of the largest table that makes sense; read no further.
-constexpr int64_t kLargestFile = int64_t(16) << 20;
+constexpr int64_t kLargestTable = int64_t(16) << 20;
 
 } // namespace
 
@@ -72,7 +72,7 @@ Error LensingTable::load_file(const String &path) {
 						path),
 				ERR_FILE_CANT_OPEN);
 	}
-	if (static_cast<int64_t>(file->get_length()) > kLargestFile) {
+	if (static_cast<int64_t>(file->get_length()) > kLargestTable) {
 		return refuse(
 				vformat("Lensing table %s is larger than 16 MiB, so it is none. Re-make it with ./run bake.",
 						path),

@@ -1,21 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "src/piloted_observer.h"
 
-#include <limits>
-
 #include <glm/geometric.hpp>
 
 #include <godot_cpp/variant/utility_functions.hpp>
 
 #include "core/relativity/clocks.h"
+#include "core/relativity/not_a_number.h"
 #include "core/relativity/observer.h"
 #include "src/glm_adapter.h"
 
 using namespace godot;
 
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 PilotedObserver::Progress to_progress(blackhole::WorldLineEnd end) {
 	switch (end) {
@@ -68,19 +65,19 @@ Vector3 PilotedObserver::get_celerity() const {
 }
 
 double PilotedObserver::get_radius() const {
-	return line ? glm::length(line->state().position) : kNaN;
+	return line ? glm::length(line->state().position) : blackhole::kNaN;
 }
 
 double PilotedObserver::get_proper_time() const {
-	return line ? line->state().proper_time : kNaN;
+	return line ? line->state().proper_time : blackhole::kNaN;
 }
 
 double PilotedObserver::get_rain_time() const {
-	return line ? line->state().rain_time : kNaN;
+	return line ? line->state().rain_time : blackhole::kNaN;
 }
 
 double PilotedObserver::get_energy() const {
-	return line ? blackhole::orbital_energy(line->state()) : kNaN;
+	return line ? blackhole::orbital_energy(line->state()) : blackhole::kNaN;
 }
 
 Vector3 PilotedObserver::get_angular_momentum() const {
@@ -89,10 +86,11 @@ Vector3 PilotedObserver::get_angular_momentum() const {
 
 double PilotedObserver::far_clock_rate(const Vector3 &view_direction) const {
 	if (!line) {
-		return kNaN;
+		return blackhole::kNaN;
 	}
 	const blackhole::WorldLineState &now = line->state();
-	return blackhole::far_clock_rate(now.position, now.celerity, to_glm(view_direction)).value.value_or(kNaN);
+	return blackhole::far_clock_rate(now.position, now.celerity, to_glm(view_direction))
+			.value.value_or(blackhole::kNaN);
 }
 
 void PilotedObserver::_bind_methods() {

@@ -2,20 +2,19 @@
 #include "src/radial_fall_path.h"
 
 #include <algorithm>
-#include <limits>
 
 #include <glm/geometric.hpp>
 
 #include <godot_cpp/variant/utility_functions.hpp>
 
 #include "core/relativity/clocks.h"
+#include "core/relativity/not_a_number.h"
 #include "src/glm_adapter.h"
 
 using namespace godot;
 
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 /// Where a ride stays when it is asked for times at or after the end.
 constexpr double kLastRadius = 1e-6;
 
@@ -53,23 +52,23 @@ Error RadialFallPath::start_from_rest(double radius) {
 }
 
 double RadialFallPath::get_energy() const {
-	return path ? path->fall().energy() : kNaN;
+	return path ? path->fall().energy() : blackhole::kNaN;
 }
 
 double RadialFallPath::get_start_radius() const {
-	return path ? path->start_radius() : kNaN;
+	return path ? path->start_radius() : blackhole::kNaN;
 }
 
 double RadialFallPath::get_highest_radius() const {
-	return path ? path->fall().highest_radius() : kNaN;
+	return path ? path->fall().highest_radius() : blackhole::kNaN;
 }
 
 double RadialFallPath::get_duration() const {
-	return path ? path->duration() : kNaN;
+	return path ? path->duration() : blackhole::kNaN;
 }
 
 double RadialFallPath::proper_time_to(double radius) const {
-	return path ? path->proper_time_to(radius).value.value_or(kNaN) : kNaN;
+	return path ? path->proper_time_to(radius).value.value_or(blackhole::kNaN) : blackhole::kNaN;
 }
 
 std::optional<blackhole::RadialMoment> RadialFallPath::moment(double proper_time) const {
@@ -81,7 +80,7 @@ std::optional<blackhole::RadialMoment> RadialFallPath::moment(double proper_time
 
 double RadialFallPath::radius_at(double proper_time) const {
 	const auto now = moment(proper_time);
-	return now ? now->radius : kNaN;
+	return now ? now->radius : blackhole::kNaN;
 }
 
 bool RadialFallPath::is_outward_at(double proper_time) const {
@@ -91,22 +90,22 @@ bool RadialFallPath::is_outward_at(double proper_time) const {
 
 double RadialFallPath::rain_time_at(double proper_time) const {
 	const auto now = moment(proper_time);
-	return now ? now->rain_time : kNaN;
+	return now ? now->rain_time : blackhole::kNaN;
 }
 
 double RadialFallPath::radial_celerity_at(double proper_time) const {
 	const auto now = moment(proper_time);
-	return now ? now->celerity : kNaN;
+	return now ? now->celerity : blackhole::kNaN;
 }
 
 double RadialFallPath::far_clock_rate_at(double proper_time) const {
 	const auto now = moment(proper_time);
 	if (!now) {
-		return kNaN;
+		return blackhole::kNaN;
 	}
 	const glm::dvec3 outward(1.0, 0.0, 0.0);
 	return blackhole::far_clock_rate_outward(now->radius * outward, now->celerity * outward)
-			.value.value_or(kNaN);
+			.value.value_or(blackhole::kNaN);
 }
 
 Vector3 RadialFallPath::position_at(double proper_time, const Vector3 &outward) const {

@@ -6,11 +6,11 @@
 #include <godot_cpp/variant/array.hpp>
 #include <godot_cpp/variant/packed_vector3_array.hpp>
 
+#include "src/draw_order.h"
+
 using namespace godot;
 
 namespace {
-
-constexpr float kEverywhere = 1e6F;
 
 /// In clip coordinates.
 RID make_mesh(RenderingServer *server) {
@@ -38,8 +38,7 @@ void ScreenTriangle::make(int render_priority) {
 	mesh = make_mesh(server);
 	instance = server->instance_create();
 	server->instance_set_base(instance, mesh);
-	server->instance_set_custom_aabb(instance,
-			AABB(Vector3(-kEverywhere, -kEverywhere, -kEverywhere), Vector3(2, 2, 2) * kEverywhere));
+	server->instance_set_custom_aabb(instance, everywhere());
 	server->instance_geometry_set_material_override(instance, material);
 	server->instance_geometry_set_cast_shadows_setting(instance, RenderingServer::SHADOW_CASTING_SETTING_OFF);
 }

@@ -33,6 +33,7 @@ struct SkySettings {
 	double overlay_width = 1.5;                ///< pixels of a picture of 720 rows
 	double exposure = 1.0;                     ///< linear factor, 2^EV
 	double saturation = 1.0;                   ///< 0: grey, 1: as it is, above: exaggerated
+	double stereo_baseline_scale = 1.0;        ///< of a headset's eyes, for the bending of light
 	blackhole::PointSpread psf_model = blackhole::PointSpread::kGaussian;
 	double psf_sigma = 1.0;              ///< pixels
 	double aperture = 0.005;             ///< metres

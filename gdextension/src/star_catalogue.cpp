@@ -26,7 +26,7 @@ namespace {
 
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 // 32 million rows of CSV; a file beyond it is a mistake, not a catalogue.
-constexpr int64_t kLargestFile = int64_t(2) << 30;
+constexpr int64_t kLargestCatalogue = int64_t(2) << 30;
 
 double right_ascension_of(const glm::dvec3 &direction) {
 	const double angle = std::atan2(-direction.z, direction.x);
@@ -60,7 +60,7 @@ Error StarCatalogue::load_file(const String &path) {
 				path));
 		return ERR_FILE_CANT_OPEN;
 	}
-	if (static_cast<int64_t>(file->get_length()) > kLargestFile) {
+	if (static_cast<int64_t>(file->get_length()) > kLargestCatalogue) {
 		return refuse(vformat("Star catalogue %s is larger than 2 GiB. Split it or thin it out.", path));
 	}
 	const PackedByteArray bytes = file->get_buffer(static_cast<int64_t>(file->get_length()));

@@ -15,6 +15,7 @@
 #include "core/parallel.h"
 #include "core/photometry/planck_table.h"
 #include "core/photometry/radiometry.h"
+#include "src/draw_order.h"
 #include "src/glm_adapter.h"
 #include "src/profile_texture.h"
 
@@ -22,9 +23,7 @@ using namespace godot;
 
 namespace {
 
-constexpr int kMapCopies = 3;         // the sprite, across a seam, across a pole
-constexpr int kRenderPriority = -100; // behind everything else that is transparent, before the background
-constexpr float kEverywhere = 1e6F;
+constexpr int kMapCopies = 3;                                      // the sprite, across a seam, across a pole
 constexpr float kFaintestRank = std::numeric_limits<float>::max(); // of which one can ask
 constexpr double kHigherOrderFaintness = 6.0; // 6 x 5e-5: one step of an 8-bit sRGB picture
 constexpr std::size_t kHigherOrders = StarLayer::kMaxOrders - 1;
@@ -83,10 +82,6 @@ RID make_sprite_mesh(RenderingServer *server, int copies) {
 	return mesh;
 }
 
-AABB everywhere() {
-	return {Vector3(-kEverywhere, -kEverywhere, -kEverywhere), Vector3(2, 2, 2) * kEverywhere};
-}
-
 std::size_t plan_place(std::size_t group, int order) {
 	return group * kHigherOrders + static_cast<std::size_t>(order) - 1;
 }
@@ -118,7 +113,7 @@ void StarLayer::ensure_materials() {
 	map_sprite = make_sprite_mesh(server, kMapCopies);
 	for (int order = 0; order < kMaxOrders; ++order) {
 		const RID material = server->material_create();
-		server->material_set_render_priority(material, kRenderPriority + order);
+		server->material_set_render_priority(material, kStarPriority + order);
 		server->material_set_param(material, "_order", order);
 		materials[static_cast<std::size_t>(order)] = material;
 	}

@@ -1,18 +1,11 @@
 # SPDX-License-Identifier: MIT
 extends SelfTestCase
-## The self-test passes where the card is right, and names the check that belongs to a fault of the
-## tables. Faults are put into what a check sends; what it compares with stays.
+## The self-test names the check that belongs to a fault of the tables. Faults are put into what a
+## check sends; what it compares with stays.
 
-
-func test_this_machine_passes() -> void:
-	watch_signals(self_test)
-	var results: Array[CheckResult] = await self_test.run()
-	for line in SelfTestReport.lines(results):
-		gut.p(line)
-	assert_eq(failed(results), PackedStringArray())
-	assert_true(SelfTest.have_passed(results))
-	assert_signal_emit_count(self_test, "progressed", results.size())
-	assert_gte(results.size(), 9)
+@warning_ignore("untyped_declaration")
+func should_skip_script():
+	return RendererScope.mobile_alone()
 
 
 func test_the_table_is_computed_where_there_is_none() -> void:

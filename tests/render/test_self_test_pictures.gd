@@ -5,6 +5,10 @@ extends SelfTestCase
 
 var _folder := ScratchFolder.new("self_test")
 
+@warning_ignore("untyped_declaration")
+func should_skip_script():
+	return RendererScope.mobile_alone()
+
 
 func test_stars_drawn_for_another_motion() -> void:
 	var check := StarPlacesCheck.new()

@@ -51,6 +51,8 @@ func test_properties_keep_what_they_are_given_within_limits(
 			["effect_higher_orders", false, false],
 			["saturation", 2.0, 2.0],
 			["saturation", 9.0, 4.0],
+			["stereo_baseline_scale", 0.3, 0.3],
+			["stereo_baseline_scale", 2.0, 1.0],
 			["redshift_map", true, true],
 			["panorama_is_light", false, false],
 			["lensing", 7.0, 1.0],

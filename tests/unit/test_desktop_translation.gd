@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
 extends GutTest
-## Every text of the desktop scene has its translation, with the same places for values.
+## Every text of the scenes has its translation, with the same places for values.
 
 const FOLDER: String = "res://scenes/desktop/"
+const XR_FOLDER: String = "res://scenes/xr/"
 const TEXT_IN_SCRIPT: String = '(?:tr|_translated|translate)\\(\\s*"([^"]+)"'
 const TEXT_IN_SCENE: String = '\\ntext = "([^"]+)"'
 
@@ -33,6 +34,7 @@ func _texts(folder: String, found: PackedStringArray) -> PackedStringArray:
 func test_every_text_is_translated() -> void:
 	var texts := _texts(FOLDER, PackedStringArray())
 	assert_gt(texts.size(), 20)
+	texts.append_array(_texts(XR_FOLDER, PackedStringArray()))
 	for row in HelpOverlay.ROWS:
 		if not row.is_empty():
 			var what: String = row[0]

@@ -10,7 +10,7 @@ import sys
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from setup import bench, capture, display, paths, prepare, self_test, session
+from setup import bench, capture, display, paths, prepare, self_test, session, xr
 from setup.console import Failure, note, say
 
 FIRST_LOOK = paths.ROOT / "scenes" / "desktop" / "first_look.json"
@@ -112,6 +112,7 @@ def _help(_arguments: list[str]) -> int:
 
 SUBCOMMANDS = {
     "demo": Subcommand("open the black hole and its sky (the default); without a display: draw one picture", _demo),
+    "xr": Subcommand("open it in a headset; --simulated: with one that a script moves (see tools/xr)", xr.run),
     "capture": Subcommand("draw stills and sequences without a window: SHOT.json OUT, or --batch LIST.json; see docs/capture.md", capture.run),
     "bake": Subcommand("compute the lensing tables into lut/; --check computes and compares", _bake),
     "lut": Subcommand("the table tool: bake, inspect, verify, eval; see ./run lut --help", _lut),

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # shellcheck shell=sh
-# Sourced before the private copy of Godot starts; $root and $libraries are set above by the set-up.
+# Sourced before a program of a private copy starts (Godot; Monado, which must draw with the same driver); $root and
+# $libraries are set above by the set-up.
 #
 # Which graphics drivers? The copy runs on its own C library, so it takes its own Mesa, which holds the drivers for
 # AMD, Intel, Nouveau and virtual cards as well as the software ones. Pointing at that Mesa forces nothing: with a

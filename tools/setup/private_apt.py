@@ -49,8 +49,11 @@ class PrivateApt:
         match = re.search(r"^Version: (\S+)$", shown, re.MULTILINE)
         return match.group(1) if match else None
 
-    def download(self, packages: list[str]) -> list[Path]:
-        """Fetches packages with all they depend on; returns the files, each after what it depends on."""
+    def download(self, packages: list[str], what: str) -> list[Path]:
+        """Fetches packages with all they depend on; returns the files, each after what it depends on.
+
+        `what` names the step should it fail.
+        """
         simulated = process.capture([*self._apt("apt-get"), "-s", "install", *packages])
         if simulated is None:
             raise Failure(f"The packages {' '.join(packages)} do not fit together in Debian {self.suite} today.")
@@ -64,7 +67,7 @@ class PrivateApt:
 
         command = [*self._apt("apt-get"), "-q", "-y", "--download-only", "install", *packages]
         try:
-            process.require(command, self.log, "Downloading Godot", append=True, on_line=watch)
+            process.require(command, self.log, what, append=True, on_line=watch)
         finally:
             progress.close()
         return [self._file(name) for name in names]

@@ -10,14 +10,16 @@ from __future__ import annotations
 import shutil
 from pathlib import Path
 
-from setup import archive, godot_version, locks, paths, process, relocate, stamps
-from setup.console import Failure, Progress, note, say
-from setup.private_apt import PrivateApt
+from setup import godot_version, paths, private_packages, relocate, stamps
+from setup.console import Failure, note, say
 
-SUITES = ("forky", "sid")
 PACKAGES = ["godot", "libgl1", "libegl1", "libgl1-mesa-dri", "mesa-vulkan-drivers", "patchelf"]
 # Raise when the steps below change, so that copies made by older ones are made again.
 RECIPE = 1
+_REMEDY = (
+    "Or download Godot 4.6 for Linux from the Godot website, put it\n"
+    "on PATH as 'godot' or name it in the variable GODOT, and start again."
+)
 
 
 def bring() -> tuple[Path, str]:
@@ -26,26 +28,30 @@ def bring() -> tuple[Path, str]:
     found = newest(cache)
     if found:
         return found
-    with locks.locked(cache / "godot.lock", "bringing Godot"):
+    with private_packages.locked(cache, "Godot"):
         return newest(cache) or _make(cache)
 
 
 def newest(cache: Path) -> tuple[Path, str] | None:
     """The newest complete copy in the cache."""
-    complete = []
-    for folder in cache.glob("godot-*"):
-        version = godot_version.parse(folder.name.removeprefix("godot-"))
-        if version and stamps.is_fresh(folder / "stamp", _stamp(folder)):
-            complete.append((version, folder))
-    if not complete:
+    versions = []
+    for text, folder in private_packages.complete(cache, "godot", _stamp):
+        version = godot_version.parse(text)
+        if version:
+            versions.append((version, folder))
+    if not versions:
         return None
-    version, folder = max(complete)
-    return folder / "bin" / "godot", ".".join(str(part) for part in version)
+    version, folder = max(versions)
+    return folder / "bin" / "godot", _text(version)
 
 
 def _stamp(folder: Path) -> str:
     """The copy knows its own place, so it is complete only where it was made."""
     return stamps.digest(RECIPE, folder, *PACKAGES)
+
+
+def _text(version: tuple[int, int, int]) -> str:
+    return ".".join(str(part) for part in version)
 
 
 def _make(cache: Path) -> tuple[Path, str]:
@@ -54,43 +60,31 @@ def _make(cache: Path) -> tuple[Path, str]:
     note(f"It goes to {cache}; details in {log.name} there")
     cache.mkdir(parents=True, exist_ok=True)
     log.write_text("", encoding="utf-8")
-    apt, version = _suite_with_godot(cache, log)
-    text = ".".join(str(part) for part in version)
-    note(f"Godot {text} from Debian {apt.suite}")
-    files = apt.download(PACKAGES)
-    folder = cache / f"godot-{text}"
+    missing = "Godot 4.6 or newer was not found on this machine"
+    offer = private_packages.offer("godot", _is_enough, cache, log, missing, _REMEDY)
+    version = godot_version.parse(offer.version)
+    assert version is not None
+    note(f"Godot {_text(version)} from Debian {offer.apt.suite}")
+    files = offer.apt.download(PACKAGES, "Downloading Godot")
+    folder = cache / f"godot-{_text(version)}"
     shutil.rmtree(folder, ignore_errors=True)
-    root = folder / "root"
-    root.mkdir(parents=True)
-    progress = Progress("unpacked", len(files))
-    for done, file in enumerate(files, 1):
-        process.require(["dpkg-deb", "-x", file, root], log, f"Unpacking {file.name}", append=True)
-        progress.update(done)
-    progress.close()
-    executable = relocate.relocate(folder, log)
+    private_packages.unpack(files, folder / "root", log)
+    executable = _install(folder, log)
     if godot_version.of_executable(executable) != version:
         raise Failure(f"The private copy of Godot in {folder} does not start. Details in {log}.")
     stamps.write(folder / "stamp", _stamp(folder))
-    return executable, text
+    return executable, _text(version)
 
 
-def _suite_with_godot(cache: Path, log: Path) -> tuple[PrivateApt, tuple[int, int, int]]:
-    """The first archive and suite that offer a Godot that is new enough."""
-    architecture = (process.capture(["dpkg", "--print-architecture"]) or "amd64").strip()
-    seen = []
-    for address in archive.candidates():
-        for suite in SUITES:
-            apt = PrivateApt(cache / "apt", address, suite, architecture, log)
-            listed = apt.update()
-            offered = apt.candidate("godot")
-            version = godot_version.parse(offered or "")
-            if version and godot_version.is_enough(version):
-                return apt, version
-            seen.append(f"{suite}: {offered or ('no Godot' if listed else 'its package lists could not be fetched')}")
-    raise Failure(
-        "Godot 4.6 or newer was not found on this machine, and Debian's archive gave none:\n    "
-        + "\n    ".join(seen)
-        + f"\nIs there a network? Details in {log}. Or download Godot 4.6 for Linux from the Godot website, put it\n"
-        "on PATH as 'godot' or name it in the variable GODOT, and start again.",
-        3,
-    )
+def _is_enough(text: str) -> bool:
+    return godot_version.is_enough(godot_version.parse(text))
+
+
+def _install(folder: Path, log: Path) -> Path:
+    """Makes Godot run from folder/root; the executable."""
+    root = relocate.find_root(folder / "root")
+    root.gather(log)
+    executable = folder / "bin" / "godot"
+    root.executable("godot", folder / "bin" / "godot.bin", log)
+    root.starter(executable, folder / "bin" / "godot.bin")
+    return executable

@@ -7,7 +7,7 @@ import os
 import re
 import subprocess
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
 
 from setup import display, paths, process
@@ -22,11 +22,11 @@ _REASON = ("capture:", "bench:", "SCRIPT ERROR:", "SHADER ERROR:")
 _BROKEN = re.compile(r"^(SCRIPT|SHADER) ERROR:", re.MULTILINE)
 
 
-def open_project(godot: Godot, arguments: list[str]) -> int:
-    """Starts the project in a window (or the editor) and waits until it is closed."""
-    command = [str(godot.executable), "--path", str(paths.ROOT), *arguments]
+def open_project(godot: Godot, arguments: list[str], variables: Mapping[str, str] | None = None) -> int:
+    """Starts the project in a window (or the editor) and waits until it is closed. `variables` join the environment."""
+    command = display.on_screen([str(godot.executable), "--path", str(paths.ROOT), *arguments])
     try:
-        return subprocess.run(command, check=False).returncode
+        return subprocess.run(command, env={**os.environ, **(variables or {})}, check=False).returncode
     except KeyboardInterrupt:
         return 130
 

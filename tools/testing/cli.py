@@ -16,7 +16,7 @@ from functools import partial
 
 from setup import session
 from setup.console import Failure
-from testing import junit, programs, scripts, style
+from testing import junit, programs, scripts, style, xr_tests
 from testing.context import RESULTS, Context
 from testing.junit import Case
 
@@ -57,6 +57,7 @@ STAGES = [
         )
         for renderer in session.RENDERERS
     ),
+    Stage("xr", "the headset scene on a simulated headset", xr_tests.stage),
     Stage("commands", "./run as a visitor uses it", programs.commands_stage),
 ]
 

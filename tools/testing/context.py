@@ -126,3 +126,19 @@ def result_file(name: str) -> Path:
     path = paths.BUILD / "test-results" / f"{name}.xml"
     path.parent.mkdir(parents=True, exist_ok=True)
     return path
+
+
+def scripts_left_out(name: str, *folders: str, deep: bool = True) -> list[Case]:
+    """A failed case for each test script of which the run reports nothing: a script that does not compile is passed by.
+
+    Of the folders with what is in them, or (not deep) of them alone.
+    """
+    result = Path(result_file(name))
+    reported = result.read_text(encoding="utf-8") if result.exists() else ""
+    scripts = [path for folder in folders for path in sources(".gd", under=folder) if path.name.startswith("test_")]
+    if not deep:
+        scripts = [path for path in scripts if relative(path.parent) in folders]
+    return [
+        Case(relative(path), name, failure="the run reports no test of this script")
+        for path in scripts if relative(path) not in reported
+    ]

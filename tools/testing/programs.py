@@ -10,7 +10,7 @@ from pathlib import Path
 
 from setup import build, display, paths, session
 from setup.console import Failure
-from testing.context import Context, relative, result_file, run_for_junit, sources
+from testing.context import Context, relative, result_file, run_for_junit, scripts_left_out, sources
 from testing.junit import Case
 
 _PROVIDER = paths.SOURCES / "tests" / "bindings" / "run_provider_tests.py"
@@ -60,7 +60,7 @@ def gut_stage(context: Context) -> list[Case]:
     command = [godot.executable, "--headless", "--path", paths.ROOT, "-s", "addons/gut/gut_cmdln.gd"]
     options = ["-gconfig=res://.gutconfig.json", "-gexit", f"-gjunit_xml_file={result_file('gut')}"]
     cases = run_for_junit([*command, *options], "gut", 600, _own_home("gut", context))
-    return cases + _scripts_left_out("gut", "tests/unit", "tests/integration")
+    return cases + scripts_left_out("gut", "tests/unit", "tests/integration")
 
 
 def render_stage(context: Context, renderer: str) -> list[Case]:
@@ -74,7 +74,7 @@ def render_stage(context: Context, renderer: str) -> list[Case]:
         "-s", "addons/gut/gut_cmdln.gd", "-gconfig=", "-gdir=res://tests/render", "-ginclude_subdirs", "-gexit",
         f"-gjunit_xml_file={result_file(name)}",
     ])
-    return run_for_junit(command, name, 900, _own_home(name, context)) + _scripts_left_out(name, "tests/render")
+    return run_for_junit(command, name, 900, _own_home(name, context)) + scripts_left_out(name, "tests/render")
 
 
 def _own_home(name: str, context: Context) -> dict[str, str]:
@@ -82,17 +82,6 @@ def _own_home(name: str, context: Context) -> dict[str, str]:
     home = paths.BUILD / "test-results" / f"home-{name}"
     home.mkdir(parents=True, exist_ok=True)
     return context.environment() | {"XDG_DATA_HOME": str(home)}
-
-
-def _scripts_left_out(name: str, *folders: str) -> list[Case]:
-    """A failed case for each test script of which the run reports nothing: a script that does not compile is passed by."""
-    result = Path(result_file(name))
-    reported = result.read_text(encoding="utf-8") if result.exists() else ""
-    scripts = [path for folder in folders for path in sources(".gd", under=folder) if path.name.startswith("test_")]
-    return [
-        Case(relative(path), name, failure="the run reports no test of this script")
-        for path in scripts if relative(path) not in reported
-    ]
 
 
 def _unittest(path: Path, name: str, timeout_s: float, context: Context) -> list[Case]:

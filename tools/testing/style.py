@@ -29,7 +29,7 @@ def lint_stage(context: Context) -> list[Case]:
     _ = context.engine
     shell = each_file(_shell_files(), "shellcheck", lambda path: complaint(["shellcheck", "-x", path]))
     scripts = _gdscript_cases(context.style_tools / "gdlint", [], "gdlint")
-    return shell + scripts + tidy.cases(context.extension)
+    return shell + scripts + tidy.cases(context.extension, context.all_variants)
 
 
 def rules_stage(_context: Context) -> list[Case]:

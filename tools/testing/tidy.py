@@ -1,23 +1,28 @@
 # SPDX-License-Identifier: MIT
-"""clang-tidy over the C++ sources, in parallel; a file whose inputs are as they were is not read again."""
+"""clang-tidy over the C++ sources, in parallel and as the build compiles them: many at a time, since it spends most of its
+time on their headers. What is as it was is not read again."""
 
 from __future__ import annotations
 
 import hashlib
 import json
+import re
 import subprocess
 from pathlib import Path
 
 from setup import paths, process, stamps
-from testing.context import complaint, each_file
+from testing.context import complaint, each_file, relative, sources
 from testing.junit import Case
 
 FOLDERS = ("core", "src", "lut_cli")
 GCC_ONLY = ("-fno-gnu-unique",)
 
 
-def cases(build_folder: Path) -> list[Case]:
-    """One case per source file that the build compiles from the folders above."""
+def cases(build_folder: Path, with_analyzer: bool) -> list[Case]:
+    """One case per file that the compiler is given for the folders above, and one that these are all sources.
+
+    with_analyzer: with the checks that follow the program's paths, which take a third of the time.
+    """
     entries = _entries(build_folder)
     if not entries:
         return [Case("sources", "clang-tidy", failure="the build names no source file to check")]
@@ -27,19 +32,23 @@ def cases(build_folder: Path) -> list[Case]:
     known = paths.cache_dir() / "clang-tidy"
     known.mkdir(parents=True, exist_ok=True)
     database = _database_for_clang(build_folder)
+    restriction = [] if with_analyzer else ["--checks=-clang-analyzer-*"]
 
     def check(path: Path) -> str:
         entry = entries[path]
-        inputs = [path, *depends.get(str(entry.get("output", "")), [])]
-        key = fingerprint(version, rules, str(entry["command"]), inputs, build_folder)
+        inputs = [path, *depends.get(_object_file(entry), [])]
+        key = fingerprint(version, rules + "".join(restriction), str(entry["command"]), inputs, build_folder)
         if (known / key).exists():
             return ""
-        wrong = complaint(["clang-tidy", "-p", database, "--quiet", path])
+        wrong = complaint(["clang-tidy", "-p", database, *restriction, f"--config-file={paths.ROOT / '.clang-tidy'}", "--quiet", path])
         if not wrong:
             (known / key).touch()
         return wrong
 
-    return each_file(sorted(entries), "clang-tidy", check)
+    compiled = {path for entry in entries.values() for path in depends.get(_object_file(entry), [])} | set(entries)
+    left_out = [relative(path) for path in _sources() if path not in compiled]
+    whole = Case("all sources", "clang-tidy", failure="not compiled: " + ", ".join(left_out) if left_out else None)
+    return [whole, *each_file(sorted(entries), "clang-tidy", check)]
 
 
 def fingerprint(version: str, rules: str, command: str, inputs: list[Path], build_folder: Path) -> str:
@@ -50,7 +59,8 @@ def fingerprint(version: str, rules: str, command: str, inputs: list[Path], buil
     content = hashlib.sha256()
     for path in sorted(set(inputs)):
         try:
-            content.update(path.name.encode() + b"\0" + path.read_bytes())
+            text = path.read_bytes().replace(str(paths.ROOT).encode(), b"ROOT")  # one that includes others names them
+            content.update(path.name.encode() + b"\0" + text)
         except FileNotFoundError:
             content.update(b"gone")
     placeless = command.replace(str(build_folder), "BUILD").replace(str(paths.ROOT), "ROOT")
@@ -70,9 +80,19 @@ def _database_for_clang(build_folder: Path) -> Path:
 
 def _entries(build_folder: Path) -> dict[Path, dict[str, object]]:
     listed = json.loads((build_folder / "compile_commands.json").read_text(encoding="utf-8"))
-    wanted = tuple(paths.SOURCES / name for name in FOLDERS)
+    wanted = [folder / name for folder in (paths.SOURCES, build_folder) for name in FOLDERS]
     found = {Path(entry["file"]): entry for entry in listed}
     return {path: entry for path, entry in found.items() if any(path.is_relative_to(folder) for folder in wanted)}
+
+
+def _object_file(entry: dict[str, object]) -> str:
+    """What a compile command makes, as Ninja names it."""
+    made = re.search(r" -o (\S+)", str(entry["command"]))
+    return made.group(1) if made else ""
+
+
+def _sources() -> list[Path]:
+    return [path for name in FOLDERS for path in sources(".cpp", under=f"gdextension/{name}")]
 
 
 def _dependencies(build_folder: Path) -> dict[str, list[Path]]:

@@ -4,17 +4,15 @@
 #include "core/disk/ray_radius.h"
 #include "core/relativity/critical.h"
 #include "core/relativity/light_ray.h"
+#include "core/relativity/not_a_number.h"
 #include "core/relativity/orbital_angle.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace blackhole {
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// Orbital angle [rad] between the observer and the first crossing, 0 to pi.
 double first_angle(const DiskSight &sight) {

@@ -2,20 +2,18 @@
 #include "core/disk/ray_radius.h"
 
 #include "core/relativity/critical.h"
+#include "core/relativity/not_a_number.h"
 #include "core/relativity/orbit_cubic.h"
 #include "core/relativity/orbital_angle.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 
 #include <boost/math/tools/toms748_solve.hpp>
 
 namespace blackhole {
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// y = sigma - sigma_c of the ray at u on its way out, without the cancellations near the critical ray.
 double outgoing_offset(double a, double epsilon, double u) {

@@ -2,11 +2,11 @@
 #include "core/relativity/deflection.h"
 
 #include "core/relativity/critical.h"
+#include "core/relativity/not_a_number.h"
 #include "core/relativity/orbit_cubic.h"
 #include "core/relativity/orbital_angle.h"
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace blackhole {
@@ -41,7 +41,6 @@ double deflection_series(double b) {
 } // namespace
 
 Deflection deflection(double b) {
-	constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 	Deflection result{kNaN, kNaN, kNaN, kNaN, kNaN};
 	if (!(b > 0.0 && std::isfinite(b))) {
 		return result;

@@ -2,6 +2,7 @@
 #include "core/relativity/image_direction.h"
 
 #include "core/relativity/baseline.h"
+#include "core/relativity/not_a_number.h"
 #include "core/relativity/orbital_angle.h"
 
 #include <algorithm>
@@ -11,7 +12,6 @@
 namespace blackhole {
 
 ImageDirection image_direction(double u, double phi) {
-	constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 	if (!(u > 0.0 && std::isfinite(u) && phi > 0.0 && phi <= 300.0)) {
 		return {kNaN, kNaN};
 	}

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "core/relativity/observer.h"
 
+#include "core/relativity/not_a_number.h"
+
 #include <glm/geometric.hpp>
 
 #include <cmath>
-#include <limits>
 
 namespace blackhole {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr const char *kNoPlace = "the observer's position must be finite and away from the centre";
 
 /// A direction against a motion, in forms that keep their digits at high speed.

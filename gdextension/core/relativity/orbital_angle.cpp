@@ -3,10 +3,10 @@
 
 #include "core/relativity/carlson.h"
 #include "core/relativity/light_ray.h"
+#include "core/relativity/not_a_number.h"
 #include "core/relativity/orbit_cubic.h"
 
 #include <cmath>
-#include <limits>
 
 namespace blackhole {
 namespace {
@@ -65,8 +65,6 @@ Real total_angle(const Real &u, const Real &y) {
 bool in_range(double u, double y) {
 	return u > 0.0 && y > 0.0 && std::isfinite(u) && std::isfinite(y);
 }
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 } // namespace
 

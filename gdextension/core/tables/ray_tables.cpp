@@ -60,11 +60,11 @@ struct ScaledRay {
 
 /// U, U', their derivatives by x, the scaled delay (a V, of plunging rays a^2 V) and its derivative by x.
 enum Part : std::size_t { kU, kSlope, kVaried, kVariedSlope, kDelay, kVariedDelay, kParts };
-using State = std::array<double, kParts>;
+using RayState = std::array<double, kParts>;
 
-State rates(const ScaledRay &ray, const State &at) {
+RayState rates(const ScaledRay &ray, const RayState &at) {
 	const double pace = 1.0 / (1.0 + at[kSlope]);
-	State rate;
+	RayState rate;
 	rate[kU] = at[kSlope];
 	rate[kSlope] = at[kU] * (ray.beta * at[kU] - ray.alpha);
 	rate[kVaried] = at[kVariedSlope];
@@ -90,13 +90,13 @@ void put_texel(float *texel, const Sample &at, double p, const ScaledRay &ray, d
 }
 
 /// sqrt(s/U)
-Sample radius_sample(const State &at, double s) {
+Sample radius_sample(const RayState &at, double s) {
 	const double value = std::sqrt(s / at[kU]);
 	return {value, 0.5 * value * (1.0 / s - at[kSlope] / at[kU]), -0.5 * value * at[kVaried] / at[kU]};
 }
 
 /// 2/s times the delay
-Sample delay_sample(const State &at, double s) {
+Sample delay_sample(const RayState &at, double s) {
 	const double value = 2.0 * at[kDelay] / s;
 	return {value, (2.0 / (1.0 + at[kSlope]) - value) / s, 2.0 * at[kVariedDelay] / s};
 }
@@ -107,9 +107,9 @@ constexpr int kStepsPerRow = 8;
 void bake_column(bool turns, int column, RayTables &tables) {
 	const ScaledRay ray(turns, ray_column_nearness(column));
 	const double slope = ray_column_slope(column);
-	const auto system = [&ray](const State &at, State &rate, double /*s*/) { rate = rates(ray, at); };
-	boost::numeric::odeint::runge_kutta_fehlberg78<State> stepper;
-	State at{0.0, 1.0, 0.0, 0.0, 0.0, 0.0};
+	const auto system = [&ray](const RayState &at, RayState &rate, double /*s*/) { rate = rates(ray, at); };
+	boost::numeric::odeint::runge_kutta_fehlberg78<RayState> stepper;
+	RayState at{0.0, 1.0, 0.0, 0.0, 0.0, 0.0};
 	for (int row = 0; row < kRayHalfRows; ++row) {
 		const int line = turns ? row : kRayHalfRows + row;
 		const auto place = std::size_t{4} * static_cast<std::size_t>(line * kRayColumns + column);

@@ -11,8 +11,8 @@ namespace {
 /// Cubic Hermite interpolation at the part f of a step: weights of value and slope at its start and its end,
 /// for the value and for its derivative.
 struct Hermite {
-	std::array<float, 4> value;
-	std::array<float, 4> slope;
+	std::array<float, 4> value{};
+	std::array<float, 4> slope{};
 
 	explicit Hermite(float f) {
 		const float e = 1.0F - f;
@@ -70,6 +70,7 @@ std::vector<float> sample(const std::vector<float> &table) {
 	}
 	texels.reserve(std::size_t{4} * kRayTexelColumns * kRayTexelRows);
 	std::vector<Place> columns;
+	columns.reserve(kRayTexelColumns);
 	for (int column = 0; column < kRayTexelColumns; ++column) {
 		columns.emplace_back(column, kRayColumnParts, kRayColumns);
 	}

@@ -22,7 +22,8 @@ foreach(_name observer lensing effects ray_tables disk_crossing disk_delay disk_
 endforeach()
 target_sources(blackhole_core PRIVATE ${_shader_sources})
 target_include_directories(blackhole_core PRIVATE "${CMAKE_CURRENT_BINARY_DIR}/shader_source")
-set_source_files_properties(${CMAKE_CURRENT_LIST_DIR}/lensing_shader.cpp PROPERTIES OBJECT_DEPENDS "${_shader_sources}")
+set_source_files_properties(${CMAKE_CURRENT_LIST_DIR}/lensing_shader.cpp PROPERTIES
+	OBJECT_DEPENDS "${_shader_sources}" SKIP_UNITY_BUILD_INCLUSION ON)
 
 # The addon reads the committed table from its own folder.
 set(_addon_table "${PROJECT_SOURCE_DIR}/../addons/blackhole_sky/data/schwarzschild.lut")

@@ -1,0 +1,14 @@
+# SPDX-License-Identifier: MIT
+extends SelfTestCase
+## The self-test passes where the card is right.
+
+
+func test_this_machine_passes() -> void:
+	watch_signals(self_test)
+	var results: Array[CheckResult] = await self_test.run()
+	for line in SelfTestReport.lines(results):
+		gut.p(line)
+	assert_eq(failed(results), PackedStringArray())
+	assert_true(SelfTest.have_passed(results))
+	assert_signal_emit_count(self_test, "progressed", results.size())
+	assert_gte(results.size(), 9)
