@@ -77,7 +77,7 @@ def main(arguments: list[str]) -> int:
         stages = select(chosen.stages)
     except ValueError as error:
         parser.error(str(error))
-    context = Context(all_variants=chosen.all)
+    context = Context(all_variants=chosen.all, with_headset=any(stage.name == "xr" for stage in stages))
     started = time.monotonic()
     results = _run_all(stages, context)
     _report(results, time.monotonic() - started)

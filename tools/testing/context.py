@@ -3,15 +3,17 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import subprocess
+import threading
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 
-from setup import build, gdtoolkit, packages, paths, prepare, process, project_import
+from setup import build, gdtoolkit, monado, packages, paths, prepare, process, project_import
 from setup.console import Failure, tail
 from setup.godot import Godot
 from setup.process import Command
@@ -23,9 +25,10 @@ RESULTS = paths.OUT / "test"
 
 @dataclass
 class Context:
-    """One run of ./test. all_variants is true for `./test --all`."""
+    """One run of ./test. all_variants is true for `./test --all`, with_headset where a simulated headset is needed."""
 
     all_variants: bool = False
+    with_headset: bool = False  # its runtime is fetched while the compiler works
 
     @cached_property
     def engine(self) -> Godot:
@@ -35,7 +38,10 @@ class Context:
     @cached_property
     def extension(self) -> Path:
         """The build folder of the extension and its tools, up to date."""
-        return build.build("release", self.engine)
+        engine = self.engine
+        if self.with_headset:
+            threading.Thread(target=_bring_headset, args=(engine,), daemon=True).start()
+        return build.build("release", engine)
 
     @cached_property
     def project(self) -> Godot:
@@ -59,6 +65,12 @@ class Context:
             "GODOT": str(self.engine.executable),
             "BLACKHOLE_TEST_ALL": "1" if self.all_variants else "0",
         }
+
+
+def _bring_headset(engine: Godot) -> None:
+    """What fails here fails again where the headset is needed, and is told there."""
+    with contextlib.suppress(Failure, OSError):
+        monado.find(engine)
 
 
 def sources(*suffixes: str, under: str = "") -> list[Path]:

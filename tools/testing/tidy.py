@@ -28,7 +28,8 @@ def cases(build_folder: Path, with_analyzer: bool) -> list[Case]:
         return [Case("sources", "clang-tidy", failure="the build names no source file to check")]
     depends = _dependencies(build_folder)
     version = process.capture(["clang-tidy", "--version"]) or ""
-    rules = (paths.ROOT / ".clang-tidy").read_text(encoding="utf-8")
+    rules_file = paths.ROOT / ".clang-tidy"
+    rules = rules_file.read_text(encoding="utf-8")
     known = paths.cache_dir() / "clang-tidy"
     known.mkdir(parents=True, exist_ok=True)
     database = _database_for_clang(build_folder)
@@ -40,7 +41,7 @@ def cases(build_folder: Path, with_analyzer: bool) -> list[Case]:
         key = fingerprint(version, rules + "".join(restriction), str(entry["command"]), inputs, build_folder)
         if (known / key).exists():
             return ""
-        wrong = complaint(["clang-tidy", "-p", database, *restriction, f"--config-file={paths.ROOT / '.clang-tidy'}", "--quiet", path])
+        wrong = complaint(["clang-tidy", "-p", database, f"--config-file={rules_file}", *restriction, "--quiet", path])
         if not wrong:
             (known / key).touch()
         return wrong
