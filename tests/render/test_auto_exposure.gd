@@ -9,6 +9,10 @@ const KEY: float = 0.004
 var _folder := ScratchFolder.new("auto_exposure")
 var _stage: ShotStage
 
+@warning_ignore("untyped_declaration")
+func should_skip_script():
+	return RendererScope.mobile_alone()
+
 
 func before_all() -> void:
 	var sky := Image.create_empty(128, 64, false, Image.FORMAT_RGBF)

@@ -14,6 +14,10 @@ const FAINT: float = 0.003
 var _booth: SkyBooth
 var _rng := RandomNumberGenerator.new()
 
+@warning_ignore("untyped_declaration")
+func should_skip_script():
+	return RendererScope.mobile_alone()
+
 
 func before_all() -> void:
 	_booth = SkyBooth.new()
