@@ -30,7 +30,7 @@ func test_what_the_engine_prints_counts() -> void:
 	var errors := RuntimeErrors.new()
 	errors._log_error("f", "a.cpp", 1, "OpenXR: Failed to poll events!", "", false, 0, [])
 	assert_true(errors.has_seen_loss())
-	errors.reset()
+	errors = RuntimeErrors.new()
 	errors._log_error("f", "a.cpp", 1, "Something else", "", false, 0, [])
 	assert_false(errors.has_seen_loss())
 

@@ -1,57 +1,36 @@
 # SPDX-License-Identifier: MIT
-extends GutTest
+extends XrTestCase
 ## The session on a real runtime: it comes into focus, the camera is where the head is, the hole in
 ## front.
 
-var _visit: XrVisit
-
-@warning_ignore("untyped_declaration")
-func should_skip_script():
-	return XrVisit.missing()
-
-
-func before_each() -> void:
-	_visit = XrVisit.new()
-	add_child(_visit)
-
-
-func after_each() -> void:
-	XrVisit.excuse(get_errors())
-	_visit.free()
-
 
 func test_the_session_comes_into_focus() -> void:
-	assert_true(await _visit.begin(), "in focus")
-	assert_true(_visit.scene.session.viewport.use_xr)
+	if not await begun():
+		return
+	assert_true(visit.scene.session.viewport.use_xr)
 	assert_eq(DisplayServer.window_get_vsync_mode(), DisplayServer.VSYNC_DISABLED)
-	assert_gt(_visit.scene.session.get_interface().get_view_count(), 1)
+	assert_gt(visit.scene.session.get_interface().get_view_count(), 1)
 
 
 func test_the_camera_is_where_the_head_is() -> void:
-	if not await _begun():
+	if not await begun():
 		return
 	for pose: Transform3D in [
 		Transform3D(Basis(Vector3.UP, 0.7), Vector3(0.3, 1.5, -0.2)),
 		Transform3D(Basis(Vector3(1, 2, 3).normalized(), 1.1), Vector3(-0.6, 1.2, 0.4)),
 	]:
-		assert_true(await _visit.move_head(pose), "the head is at %s" % pose)
+		assert_true(await visit.move_head(pose), "the head is at %s" % pose)
 		await wait_process_frames(2)
-		var camera := _visit.scene.head
+		var camera := visit.scene.head
 		assert_almost_eq(camera.global_position, pose.origin, Vector3.ONE * 1e-3)
 		assert_true(camera.global_basis.is_equal_approx(pose.basis), "and looks there")
 
 
 func test_the_hole_stands_before_the_visitor() -> void:
-	if not await _begun():
+	if not await begun():
 		return
-	var scene := _visit.scene
-	assert_true(await _visit.settle(func() -> bool: return scene.sky.schwarzschild_radius > 0.0))
+	var scene := visit.scene
+	assert_true(await visit.settle(func() -> bool: return scene.sky.schwarzschild_radius > 0.0))
 	var to_hole := scene.sky.global_position - scene.head.global_position
 	assert_almost_eq(to_hole.length() / scene.sky.schwarzschild_radius, HoleInRoom.WALK_RADII, 0.2)
 	assert_gt((-scene.head.global_basis.z).dot(to_hole.normalized()), 0.9, "ahead")
-
-
-func _begun() -> bool:
-	var well := await _visit.begin()
-	assert_true(well, "in focus")
-	return well

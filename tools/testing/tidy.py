@@ -35,10 +35,11 @@ def cases(build_folder: Path, with_analyzer: bool) -> list[Case]:
     database = _database_for_clang(build_folder)
     restriction = [] if with_analyzer else ["--checks=-clang-analyzer-*"]
 
+    inputs = {path: [path, *depends.get(_object_file(entry), [])] for path, entry in entries.items()}
+
     def check(path: Path) -> str:
-        entry = entries[path]
-        inputs = [path, *depends.get(_object_file(entry), [])]
-        key = fingerprint(version, rules + "".join(restriction), str(entry["command"]), inputs, build_folder)
+        command = str(entries[path]["command"])
+        key = fingerprint(version, rules + "".join(restriction), command, inputs[path], build_folder)
         if (known / key).exists():
             return ""
         wrong = complaint(["clang-tidy", "-p", database, f"--config-file={rules_file}", *restriction, "--quiet", path])
@@ -46,7 +47,7 @@ def cases(build_folder: Path, with_analyzer: bool) -> list[Case]:
             (known / key).touch()
         return wrong
 
-    compiled = {path for entry in entries.values() for path in depends.get(_object_file(entry), [])} | set(entries)
+    compiled = set().union(*inputs.values())
     left_out = [relative(path) for path in _sources() if path not in compiled]
     whole = Case("all sources", "clang-tidy", failure="not compiled: " + ", ".join(left_out) if left_out else None)
     return [whole, *each_file(sorted(entries), "clang-tidy", check)]

@@ -20,6 +20,7 @@ from testing.junit import Case
 _FOLDERS = ("tests/xr", "tests/xr/lost")
 _RENDERER = "mobile"
 _FOCUS = "xr: in focus"
+_NONE, _DIES = "start without a runtime", "a runtime that dies and comes back under ./run xr"
 _MOST_LINES = 3000  # of a process whose runtime died
 
 
@@ -29,7 +30,7 @@ def stage(context: Context) -> list[Case]:
     try:
         runtime = monado.find(godot)
     except Failure as failure:
-        return [Case(name, "xr", skipped=str(failure)) for name in (*_FOLDERS, "start without a runtime", "supervised start")]
+        return [Case(name, "xr", skipped=str(failure)) for name in (*_FOLDERS, _NONE, _DIES)]
     cases: list[Case] = []
     for folder in _FOLDERS:
         with SimulatedHeadset(runtime) as headset:
@@ -62,7 +63,7 @@ def _without_runtime(context: Context) -> Case:
         wrong.append("the reason was not given")
     if re.search(r"^SCRIPT ERROR", printed, re.MULTILINE):
         wrong.append("a script failed")
-    return Case("start without a runtime", "xr", failure=f"{', '.join(wrong)}; {tail(log)}" if wrong else None)
+    return Case(_NONE, "xr", failure=f"{', '.join(wrong)}; {tail(log)}" if wrong else None)
 
 
 def _supervised(context: Context, headset: SimulatedHeadset) -> Case:
@@ -93,7 +94,7 @@ def _supervised(context: Context, headset: SimulatedHeadset) -> Case:
         for child in running[-1:]:
             process.end_group(child)
         keeper.join(30)
-    return Case("a runtime that dies and comes back under ./run xr", "xr", failure=wrong or None)
+    return Case(_DIES, "xr", failure=wrong or None)
 
 
 def _die_and_return(log: Path, headset: SimulatedHeadset) -> str:

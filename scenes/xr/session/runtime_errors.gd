@@ -13,18 +13,12 @@ var _lock := Mutex.new()
 var _seen: bool = false
 
 
-## Has there been such an error since the last reset()?
+## Has there been such an error yet?
 func has_seen_loss() -> bool:
 	_lock.lock()
 	var seen := _seen
 	_lock.unlock()
 	return seen
-
-
-func reset() -> void:
-	_lock.lock()
-	_seen = false
-	_lock.unlock()
 
 
 func _log_error(

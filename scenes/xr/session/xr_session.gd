@@ -7,7 +7,7 @@ extends Node
 ## Nothing here ends the program: without a runtime the scene goes on at the screen, and whoever
 ## takes the headset off finds everything as it was left.
 
-## The headset shows the scene for the first time.
+## The headset shows the scene, for the first time or after it had been taken off.
 signal started
 ## There is no session and there will be none by itself: `reason` for people.
 signal unavailable(reason: String)
@@ -135,28 +135,32 @@ func _leave_viewport() -> void:
 	DisplayServer.window_set_vsync_mode(_screen_vsync)
 
 
+# Which of our methods hears which signal of the interface.
+func _ears() -> Dictionary[Signal, Callable]:
+	return {
+		_interface.session_begun: _on_session_begun,
+		_interface.session_visible: _on_session_visible,
+		_interface.session_focussed: _on_session_focused,
+		_interface.session_stopping: _on_session_stopping,
+		_interface.session_loss_pending: _on_loss_pending,
+		_interface.instance_exiting: _on_loss_pending,
+		_interface.pose_recentered: recentred.emit,
+		_interface.refresh_rate_changed: _on_refresh_rate_changed,
+	}
+
+
 func _connect() -> void:
-	_interface.session_begun.connect(_on_session_begun)
-	_interface.session_visible.connect(_on_session_visible)
-	_interface.session_focussed.connect(_on_session_focused)
-	_interface.session_stopping.connect(_on_session_stopping)
-	_interface.session_loss_pending.connect(_on_loss_pending)
-	_interface.instance_exiting.connect(_on_loss_pending)
-	_interface.pose_recentered.connect(_on_pose_recentred)
-	_interface.refresh_rate_changed.connect(_on_refresh_rate_changed)
+	var ears := _ears()
+	for said: Signal in ears:
+		said.connect(ears[said])
 
 
 func _disconnect() -> void:
 	if _interface == null or not _interface.session_begun.is_connected(_on_session_begun):
 		return
-	_interface.session_begun.disconnect(_on_session_begun)
-	_interface.session_visible.disconnect(_on_session_visible)
-	_interface.session_focussed.disconnect(_on_session_focused)
-	_interface.session_stopping.disconnect(_on_session_stopping)
-	_interface.session_loss_pending.disconnect(_on_loss_pending)
-	_interface.instance_exiting.disconnect(_on_loss_pending)
-	_interface.pose_recentered.disconnect(_on_pose_recentred)
-	_interface.refresh_rate_changed.disconnect(_on_refresh_rate_changed)
+	var ears := _ears()
+	for said: Signal in ears:
+		said.disconnect(ears[said])
 
 
 func _on_session_begun() -> void:
@@ -224,7 +228,3 @@ func _see_state() -> void:
 			_on_session_visible()
 		OpenXRInterface.SESSION_STATE_FOCUSED:
 			_on_session_focused()
-
-
-func _on_pose_recentred() -> void:
-	recentred.emit()

@@ -1,49 +1,27 @@
 # SPDX-License-Identifier: MIT
-extends GutTest
+extends XrTestCase
 ## A runtime that dies is noticed. There is no other for the same process afterwards: this script
 ## has one of its own.
 
-var _visit: XrVisit
-
-@warning_ignore("untyped_declaration")
-func should_skip_script():
-	return XrVisit.missing()
-
-
-func before_each() -> void:
-	_visit = XrVisit.new()
-	add_child(_visit)
-
-
-func after_each() -> void:
-	XrVisit.excuse(get_errors())
-	_visit.free()
-
 
 func test_a_runtime_that_dies_is_noticed() -> void:
-	if not await _begun():
+	if not await begun():
 		return
-	var session := _visit.scene.session
+	var session := visit.scene.session
 	watch_signals(session)
 	await wait_seconds(1.0)
 	assert_eq(session.state, XrSession.State.FOCUSED)
 	assert_eq(_control("kill"), 0)
 	var killed := Time.get_ticks_msec()
-	assert_true(await _visit.settle(func() -> bool: return session.state == XrSession.State.LOST))
+	assert_true(await visit.settle(func() -> bool: return session.state == XrSession.State.LOST))
 	gut.p("noticed after %.1f s" % ((Time.get_ticks_msec() - killed) * 0.001))
 	assert_lt(Time.get_ticks_msec() - killed, 2000, "within two seconds")
-	assert_false(_visit.scene.session.viewport.use_xr)
+	assert_false(visit.scene.session.viewport.use_xr)
 	assert_signal_emit_count(session, "lost", 1)
 	assert_signal_emit_count(session, "focus_changed", 1)
-	assert_true(_visit.scene.is_waiting_for_headset(), "the screen says so")
+	assert_true(visit.scene.is_waiting_for_headset(), "the screen says so")
 	for error: GutTrackedError in get_errors():
 		error.handled = true  # the runtime's and the engine's own, about the runtime's death
-
-
-func _begun() -> bool:
-	var well := await _visit.begin()
-	assert_true(well, "in focus")
-	return well
 
 
 func _control(word: String) -> int:
