@@ -68,19 +68,17 @@ func _gpu_times(stage: BenchStage) -> Dictionary:
 		if picture != BenchStage.Picture.MARCH_1000:
 			quick.append(picture)
 	await sampler.measure(quick)
-	await sampler.measure([BenchStage.Picture.MARCH_1000])
-	var raw := {}
+	await sampler.measure_slow(BenchStage.Picture.MARCH_1000)
 	var net := {}
-	var samples := {}
+	var turns := {}
 	for key: String in BenchStage.Picture:
 		var picture: BenchStage.Picture = BenchStage.Picture[key]
 		var name := key.to_lower()
-		raw[name] = sampler.least[picture]
-		samples[name] = sampler.counts[picture]
-		net[name] = sampler.least[picture]
+		turns[name] = sampler.get_turns(picture)
+		net[name] = sampler.get_least(picture)
 		if picture != BenchStage.Picture.EMPTY:
-			net[name] = maxf(sampler.least[picture] - sampler.least[BenchStage.Picture.EMPTY], 0.0)
-	return {"gpu_ms": net, "gpu_ms_with_empty_frame": raw, "gpu_samples": samples}
+			net[name] = maxf(net[name] - sampler.get_least(BenchStage.Picture.EMPTY), 0.0)
+	return {"gpu_ms": net, "gpu_turns_ms": turns}
 
 
 func _fail(reason: String) -> void:

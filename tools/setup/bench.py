@@ -42,7 +42,7 @@ def run(arguments: list[str]) -> int:
     held = bench_report.limits(figures)
     figures["limits"] = held
     out.write_text(json.dumps(figures, indent=2) + "\n", encoding="utf-8")
-    del figures["limits"]
+    del figures["limits"], figures[bench_report.TURNS]
     print("\n".join([*table(figures), "", *bench_report.lines(held), ""]))
     print(out)
     return 0

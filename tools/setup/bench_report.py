@@ -4,7 +4,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+import statistics
+from collections.abc import Mapping, Sequence
 
 from setup.console import Failure
 
@@ -18,6 +19,8 @@ _NUMBERS = (
     "exact_phi_per_s", "bake_tables_s", "node_update_ms", "catalogue_load_ms", "first_frame_ms",
     "first_frame_empty_project_ms",
 )
+# Key of the drawing times of every picture in turns, by round: for the quotients, too many to print.
+TURNS = "gpu_turns_ms"
 _TEXTS = ("renderer", "device", "godot")
 # Limits of figures, and of quotients of drawing times: at most so much, or (march) at least.
 _AT_MOST = {"bake_tables_s": 0.5, "node_update_ms": 0.1, "catalogue_load_ms": 40.0}
@@ -32,6 +35,7 @@ _QUOTIENTS = {
     "hidden_disk_to_lensed_panorama": ("hidden_disk", "lensed_panorama", 1.1),
     "disk_to_lensed_panorama": ("disk", "lensed_panorama", 1.8),
 }
+_LEAST_MS = 1e-6
 _MARCH = ("march_1000_to_lensed_panorama", 30.0)
 # The marched picture counts as the lensed one when 99 % of its pixels differ by less than this part of the mean.
 _SAME_PICTURE = 0.1
@@ -43,6 +47,8 @@ def check(figures: Figures) -> None:
     pictures = times if isinstance(times, Mapping) else {}
     wrong = [key for key in _NUMBERS if not _is_figure(figures.get(key))]
     wrong += [f"gpu_ms.{picture}" for picture in PICTURES if not _is_figure(pictures.get(picture))]
+    turns = figures.get(TURNS)
+    wrong += [] if isinstance(turns, Mapping) and all(turns.get(picture) for picture in PICTURES) else [TURNS]
     wrong += [key for key in _TEXTS if not isinstance(figures.get(key), str)]
     if wrong:
         raise Failure(f"bench: not measured: {', '.join(wrong)}. Measure again on a quieter machine.")
@@ -50,16 +56,16 @@ def check(figures: Figures) -> None:
 
 def limits(figures: Figures) -> dict[str, dict[str, object]]:
     """Each compared figure with its limit and whether it is met."""
-    times = figures["gpu_ms"]
-    assert isinstance(times, Mapping)
+    times, turns = figures["gpu_ms"], figures[TURNS]
+    assert isinstance(times, Mapping) and isinstance(turns, Mapping)
     result = {key: _held(_number(figures[key]), limit) for key, limit in _AT_MOST.items()}
     result |= {
         key: _held(_number(figures[key]), limit) for key, limit in _AT_MOST_OF_MANY_STARS.items() if key in figures
     }
     for name, (picture, plain, limit) in _QUOTIENTS.items():
-        result[name] = _held(_quotient(times[picture], times[plain]), limit)
+        result[name] = _held(_quotient(turns[picture], turns[plain], turns["empty"]), limit)
     name, least = _MARCH
-    value = _quotient(times["march_1000"], times["lensed_panorama"])
+    value = _number(times["march_1000"]) / max(_number(times["lensed_panorama"]), _LEAST_MS)
     result[name] = {"value": value, "at_least": least, "met": value >= least}
     compared = figures.get("march_picture")
     if isinstance(compared, Mapping):
@@ -80,8 +86,10 @@ def _held(value: float, limit: float) -> dict[str, object]:
     return {"value": value, "at_most": limit, "met": value <= limit}
 
 
-def _quotient(time: object, of: object) -> float:
-    return _number(time) / max(_number(of), 1e-6)
+def _quotient(times: Sequence[float], of: Sequence[float], empty: Sequence[float]) -> float:
+    """How much longer a picture takes than another: the median over rounds, each without its empty frame."""
+    rounds = zip(times, of, empty, strict=True)
+    return statistics.median((time - none) / max(other - none, _LEAST_MS) for time, other, none in rounds)
 
 
 def _number(value: object) -> float:

@@ -7,14 +7,17 @@ from setup.console import Failure
 
 
 def _figures() -> dict[str, object]:
+    times = {
+        "empty": 1.0, "plain_stars": 40.0, "lensed_stars_1": 50.0, "lensed_stars_2": 90.0, "plain_panorama": 20.0,
+        "lensed_panorama": 40.0, "hidden_disk": 40.0, "disk": 70.0, "march_1000": 4000.0,
+    }
+    # Every round is slower than the one before, for all pictures alike.
+    turns = {name: [slow * (time + (0.0 if name == "empty" else 1.0)) for slow in (1.0, 2.0, 3.0)] for name, time in times.items()}
     return {
         "exact_phi_per_s": 3e6, "bake_tables_s": 0.1, "node_update_ms": 0.05, "catalogue_load_ms": 12.0,
         "first_frame_ms": 900.0, "first_frame_empty_project_ms": 500.0,
         "renderer": "mobile", "device": "a device", "godot": "4.6.3",
-        "gpu_ms": {
-            "empty": 1.0, "plain_stars": 40.0, "lensed_stars_1": 50.0, "lensed_stars_2": 90.0, "plain_panorama": 20.0,
-            "lensed_panorama": 40.0, "hidden_disk": 40.0, "disk": 70.0, "march_1000": 4000.0,
-        },
+        "gpu_ms": times, "gpu_turns_ms": turns,
     }
 
 
@@ -48,6 +51,21 @@ class Report(unittest.TestCase):
         self.assertEqual(held["march_1000_to_lensed_panorama"], {"value": 100.0, "at_least": 30.0, "met": True})
         self.assertEqual(held["node_update_ms"], {"value": 0.05, "at_most": 0.1, "met": True})
         self.assertNotIn("march_picture_difference", held)
+
+    def test_quotients_are_of_turns_in_the_same_round(self) -> None:
+        figures = _figures()
+        turns = figures["gpu_turns_ms"]
+        assert isinstance(turns, dict)
+        turns["disk"][1] *= 5.0  # the machine was busy in one turn
+        self.assertAlmostEqual(bench_report.limits(figures)["disk_to_lensed_panorama"]["value"], 1.75)
+
+    def test_turns_that_were_not_kept_are_named(self) -> None:
+        figures = _figures()
+        turns = figures["gpu_turns_ms"]
+        assert isinstance(turns, dict)
+        turns["disk"] = []
+        with self.assertRaisesRegex(Failure, "gpu_turns_ms"):
+            bench_report.check(figures)
 
     def test_many_stars_are_held_against_limits_when_measured(self) -> None:
         self.assertNotIn("stars_2500k_to_linear", bench_report.limits(_figures()))
