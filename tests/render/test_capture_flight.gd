@@ -8,6 +8,10 @@ const SEEN_KELVIN: float = 6500.0
 
 var _folder := ScratchFolder.new("capture_flight")
 
+@warning_ignore("untyped_declaration")
+func should_skip_script():
+	return RendererScope.mobile_alone()
+
 
 func test_a_flight_without_the_hole(
 	# how the eye moves; its velocity

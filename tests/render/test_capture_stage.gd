@@ -6,6 +6,10 @@ const FOLDER: String = "user://capture_stage_test"
 
 var _stage: ShotStage
 
+@warning_ignore("untyped_declaration")
+func should_skip_script():
+	return RendererScope.mobile_alone()
+
 
 func before_all() -> void:
 	DirAccess.make_dir_recursive_absolute(FOLDER)

@@ -18,6 +18,10 @@ const VIEWS: Array = [
 var _booth: SkyBooth
 var _disk: AccretionDisk
 
+@warning_ignore("untyped_declaration")
+func should_skip_script():
+	return RendererScope.mobile_alone()
+
 
 func before_each() -> void:
 	_booth = SkyBooth.new()

@@ -13,6 +13,10 @@ var _static := SkyObserver.new()
 var _star := Vector3(-0.55, 0.75, 0.2).normalized()
 var _cases: Array = ["none", "aberration", "gravitational_shift", "doppler", "magnification"]
 
+@warning_ignore("untyped_declaration")
+func should_skip_script():
+	return RendererScope.mobile_alone()
+
 
 func before_all() -> void:
 	_booth = SkyBooth.new()

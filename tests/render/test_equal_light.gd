@@ -25,6 +25,10 @@ var _observers: Array = [
 var _stage: ShotStage
 var _folder := ScratchFolder.new("equal_light")
 
+@warning_ignore("untyped_declaration")
+func should_skip_script():
+	return RendererScope.mobile_alone()
+
 
 func before_each() -> void:
 	# It keeps the catalogues that it has read.

@@ -8,6 +8,10 @@ const PLACE := Vector3(1.2, 2.0, -3.6)
 var _booth: SkyBooth
 var _view: ExactView
 
+@warning_ignore("untyped_declaration")
+func should_skip_script():
+	return RendererScope.mobile_alone()
+
 
 func before_all() -> void:
 	_booth = SkyBooth.new()

@@ -9,6 +9,10 @@ const COLOUR_TOLERANCE: float = 0.05
 
 var _booth: SkyBooth
 
+@warning_ignore("untyped_declaration")
+func should_skip_script():
+	return RendererScope.mobile_alone()
+
 
 func before_all() -> void:
 	_booth = SkyBooth.new()

@@ -37,6 +37,11 @@ class MapPoint:
 	var density: float
 
 
+@warning_ignore("untyped_declaration")
+func should_skip_script():
+	return RendererScope.mobile_alone()
+
+
 func before_all() -> void:
 	_booth = SkyBooth.new()
 	add_child(_booth)
