@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include <godot_cpp/classes/world3d.hpp>
+#include <godot_cpp/variant/utility_functions.hpp>
 
 #include "core/disk/page_thorne.h"
 #include "core/photometry/radiometry.h"
@@ -15,6 +16,12 @@
 #include "src/property_limits.h"
 
 using namespace godot;
+
+namespace {
+
+constexpr float kLargestRing = 1e4F; // r_s
+
+} // namespace
 
 AccretionDisk::AccretionDisk() {
 	set_notify_transform(true);
@@ -161,7 +168,7 @@ void AccretionDisk::set_orders(int orders) {
 }
 
 void AccretionDisk::set_look(Look look) {
-	settings.look = static_cast<DiskSettings::Look>(std::clamp(look, LOOK_PHYSICAL, LOOK_REDSHIFT));
+	settings.look = static_cast<DiskSettings::Look>(std::clamp(look, LOOK_PHYSICAL, LOOK_RINGS));
 	changed();
 }
 
@@ -181,7 +188,42 @@ void AccretionDisk::set_checker_sectors(int sectors) {
 }
 
 void AccretionDisk::set_checker_ring_width(double width) {
-	settings.ring_width = limited(width, 0.05, 1e3, settings.ring_width);
+	settings.checker_ring_width = limited(width, 0.05, 1e3, settings.checker_ring_width);
+	changed();
+}
+
+void AccretionDisk::set_ring_radii(const PackedFloat32Array &radii) {
+	if (radii.size() > static_cast<int64_t>(DiskSettings::kMostRings)) {
+		UtilityFunctions::push_warning("AccretionDisk.ring_radii: ", radii.size(),
+				" rings are too many, 8 are the most. The rings stay as they were.");
+		return;
+	}
+	for (const float radius : radii) {
+		if (!(radius > 1.0F && radius <= kLargestRing)) {
+			UtilityFunctions::push_warning("AccretionDisk.ring_radii: there is no ring at ", radius,
+					"; a radius is above 1 and at most 10000. The rings stay as they were.");
+			return;
+		}
+	}
+	settings.rings.assign(radii.begin(), radii.end());
+	changed();
+}
+
+PackedFloat32Array AccretionDisk::get_ring_radii() const {
+	PackedFloat32Array radii;
+	for (const double radius : settings.rings) {
+		radii.push_back(static_cast<float>(radius));
+	}
+	return radii;
+}
+
+void AccretionDisk::set_ring_highlight(int place) {
+	settings.ring_highlight = std::clamp(place, -1, static_cast<int>(DiskSettings::kMostRings) - 1);
+	changed();
+}
+
+void AccretionDisk::set_ring_width(double pixels) {
+	settings.ring_width = limited(pixels, 0.5, 20.0, settings.ring_width);
 	changed();
 }
 

@@ -5,6 +5,7 @@
 
 #include <godot_cpp/classes/node3d.hpp>
 #include <godot_cpp/core/class_db.hpp>
+#include <godot_cpp/variant/packed_float32_array.hpp>
 #include <godot_cpp/variant/packed_string_array.hpp>
 
 #include "core/disk/disk_glow.h"
@@ -25,6 +26,7 @@ public:
 		LOOK_CHECKERBOARD = DiskSettings::kCheckerboard,
 		LOOK_TEMPERATURE = DiskSettings::kTemperature,
 		LOOK_REDSHIFT = DiskSettings::kRedshift,
+		LOOK_RINGS = DiskSettings::kRings,
 	};
 
 	AccretionDisk();
@@ -61,7 +63,13 @@ public:
 	void set_checker_sectors(int sectors);
 	int get_checker_sectors() const { return settings.sectors; }
 	void set_checker_ring_width(double width);
-	double get_checker_ring_width() const { return settings.ring_width; }
+	double get_checker_ring_width() const { return settings.checker_ring_width; }
+	void set_ring_radii(const godot::PackedFloat32Array &radii);
+	godot::PackedFloat32Array get_ring_radii() const;
+	void set_ring_highlight(int place);
+	int get_ring_highlight() const { return settings.ring_highlight; }
+	void set_ring_width(double pixels);
+	double get_ring_width() const { return settings.ring_width; }
 	void set_time(double time);
 	double get_time() const { return settings.time; }
 	void set_time_scale(double factor);

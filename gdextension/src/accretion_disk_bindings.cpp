@@ -49,6 +49,12 @@ void AccretionDisk::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_checker_sectors"), &AccretionDisk::get_checker_sectors);
 	ClassDB::bind_method(D_METHOD("set_checker_ring_width", "width"), &AccretionDisk::set_checker_ring_width);
 	ClassDB::bind_method(D_METHOD("get_checker_ring_width"), &AccretionDisk::get_checker_ring_width);
+	ClassDB::bind_method(D_METHOD("set_ring_radii", "radii"), &AccretionDisk::set_ring_radii);
+	ClassDB::bind_method(D_METHOD("get_ring_radii"), &AccretionDisk::get_ring_radii);
+	ClassDB::bind_method(D_METHOD("set_ring_highlight", "place"), &AccretionDisk::set_ring_highlight);
+	ClassDB::bind_method(D_METHOD("get_ring_highlight"), &AccretionDisk::get_ring_highlight);
+	ClassDB::bind_method(D_METHOD("set_ring_width", "pixels"), &AccretionDisk::set_ring_width);
+	ClassDB::bind_method(D_METHOD("get_ring_width"), &AccretionDisk::get_ring_width);
 	ClassDB::bind_method(D_METHOD("set_time", "time"), &AccretionDisk::set_time);
 	ClassDB::bind_method(D_METHOD("get_time"), &AccretionDisk::get_time);
 	ClassDB::bind_method(D_METHOD("set_time_scale", "factor"), &AccretionDisk::set_time_scale);
@@ -83,7 +89,7 @@ void AccretionDisk::_bind_methods() {
 	ADD_PROPERTY(
 			PropertyInfo(Variant::INT, "orders", PROPERTY_HINT_RANGE, "1,4"), "set_orders", "get_orders");
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "look", PROPERTY_HINT_ENUM,
-						 "Physical,Turbulent,Checkerboard,Temperature,Redshift"),
+						 "Physical,Turbulent,Checkerboard,Temperature,Redshift,Rings"),
 			"set_look", "get_look");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "turbulence", PROPERTY_HINT_RANGE, "0,3,0.01"),
 			"set_turbulence", "get_turbulence");
@@ -95,6 +101,13 @@ void AccretionDisk::_bind_methods() {
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "checker_ring_width", PROPERTY_HINT_RANGE,
 						 "0.05,10,0.05,or_greater,suffix:r_s"),
 			"set_checker_ring_width", "get_checker_ring_width");
+	ADD_PROPERTY(
+			PropertyInfo(Variant::PACKED_FLOAT32_ARRAY, "ring_radii"), "set_ring_radii", "get_ring_radii");
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "ring_highlight", PROPERTY_HINT_RANGE, "-1,7"),
+			"set_ring_highlight", "get_ring_highlight");
+	ADD_PROPERTY(
+			PropertyInfo(Variant::FLOAT, "ring_width", PROPERTY_HINT_RANGE, "0.5,5,0.1,or_greater,suffix:px"),
+			"set_ring_width", "get_ring_width");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "time"), "set_time", "get_time");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "time_scale"), "set_time_scale", "get_time_scale");
 	BIND_ENUM_CONSTANT(LOOK_PHYSICAL);
@@ -102,4 +115,5 @@ void AccretionDisk::_bind_methods() {
 	BIND_ENUM_CONSTANT(LOOK_CHECKERBOARD);
 	BIND_ENUM_CONSTANT(LOOK_TEMPERATURE);
 	BIND_ENUM_CONSTANT(LOOK_REDSHIFT);
+	BIND_ENUM_CONSTANT(LOOK_RINGS);
 }

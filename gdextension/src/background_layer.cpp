@@ -59,7 +59,9 @@ void BackgroundLayer::ensure() {
 
 void BackgroundLayer::show() {
 	if (triangle.is_made()) {
-		triangle.set_visible(layer_shown && (source != 0 || redshift_map || current.overlays != 0));
+		// Before a room the shadow is dark by itself.
+		const bool shows = source != 0 || redshift_map || current.overlays != 0 || is_clear(current);
+		triangle.set_visible(layer_shown && shows);
 	}
 }
 
@@ -110,8 +112,18 @@ void BackgroundLayer::set_source(int kind, const RID &panorama, double luminance
 	show();
 }
 
-RID BackgroundLayer::shader(SkyShaders needed) const {
-	switch (needed) {
+RID BackgroundLayer::shader(const SkySettings &settings) {
+	if (is_clear(settings)) {
+		const bool radial = settings.shaders == SkyShaders::kRadial;
+		Ref<Shader> &clear = radial ? clear_lensed_shader : clear_general_shader;
+		if (clear.is_null()) {
+			clear = ResourceLoader::get_singleton()->load(radial
+							? "res://addons/blackhole_sky/shaders/background_lensed_clear.gdshader"
+							: "res://addons/blackhole_sky/shaders/background_general_clear.gdshader");
+		}
+		return clear->get_rid();
+	}
+	switch (settings.shaders) {
 		case SkyShaders::kRadial:
 			return lensed_shader->get_rid();
 		case SkyShaders::kGeneral:
@@ -125,8 +137,8 @@ RID BackgroundLayer::shader(SkyShaders needed) const {
 
 void BackgroundLayer::apply(const SkySettings &settings) {
 	ensure();
-	if (!dressed || settings.shaders != current.shaders) {
-		triangle.set_shader(shader(settings.shaders));
+	if (!dressed || settings.shaders != current.shaders || is_clear(settings) != is_clear(current)) {
+		triangle.set_shader(shader(settings));
 	}
 	if (!dressed || !has_equal_uniforms(settings, current)) {
 		set_sky_uniforms(triangle.get_material(), settings);

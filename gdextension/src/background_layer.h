@@ -32,13 +32,16 @@ public:
 
 private:
 	void ensure();
-	godot::RID shader(SkyShaders needed) const;
+	godot::RID shader(const SkySettings &settings);
 	void show();
 
 	godot::Ref<godot::Shader> lensed_shader;
 	godot::Ref<godot::Shader> general_shader;
 	godot::Ref<godot::Shader> map_shader;
 	godot::Ref<godot::Shader> flat_shader;
+	/// Those that let the room show through, loaded when they are needed.
+	godot::Ref<godot::Shader> clear_lensed_shader;
+	godot::Ref<godot::Shader> clear_general_shader;
 	ScreenTriangle triangle;
 	double panorama_luminance = 1.0;
 	SkySettings current;

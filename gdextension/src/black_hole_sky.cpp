@@ -46,6 +46,9 @@ SkyShaders BlackHoleSky::shaders_needed() const {
 	if (projection != PROJECTION_PERSPECTIVE) {
 		return SkyShaders::kMap;
 	}
+	if (!is_lensing() && see_through > 0.0) {
+		return SkyShaders::kGeneral;
+	}
 	const LensingTable::Motion motion = get_observer_motion();
 	const bool radial = motion != LensingTable::MOTION_ORBIT && motion != LensingTable::MOTION_VELOCITY;
 	if (is_lensing()) {
@@ -145,6 +148,7 @@ void BlackHoleSky::apply_settings() {
 	}
 	settings.saturation = saturation;
 	settings.stereo_baseline_scale = stereo_baseline_scale;
+	settings.see_through = see_through;
 	applied_exposure = get_effective_exposure();
 	settings.exposure = std::exp2(applied_exposure);
 	settings.psf_model = static_cast<blackhole::PointSpread>(psf_model);
@@ -158,31 +162,8 @@ void BlackHoleSky::apply_settings() {
 	star_layer.apply(settings);
 	background_layer.apply(settings);
 	apply_to_disks();
+	apply_to_materials();
 	star_choice.reset();
-}
-
-void BlackHoleSky::apply_to_disks() {
-	if (disks.empty()) {
-		return;
-	}
-	// A disk that has no hole any more is one whose hole is tiny.
-	SkySettings &around = disk_sources.settings;
-	around = settings;
-	around.hole_position = get_global_transform().origin;
-	around.inverse_radius = 1.0 / (schwarzschild_radius * hole_scale());
-	for (AccretionDisk *disk : disks) {
-		disk->sky_changed(around, hole_scale(), table);
-	}
-}
-
-void BlackHoleSky::add_disk(AccretionDisk *disk) {
-	disks.push_back(disk);
-	disk->redshift_map_changed(redshift_map);
-	settings_changed();
-}
-
-void BlackHoleSky::remove_disk(AccretionDisk *disk) {
-	disks.erase(std::remove(disks.begin(), disks.end(), disk), disks.end());
 }
 
 void BlackHoleSky::before_draw() {
@@ -350,6 +331,11 @@ void BlackHoleSky::set_saturation(double factor) {
 
 void BlackHoleSky::set_stereo_baseline_scale(double factor) {
 	stereo_baseline_scale = limited(factor, 0.0, 1.0, stereo_baseline_scale);
+	settings_changed();
+}
+
+void BlackHoleSky::set_see_through(double share) {
+	see_through = limited(share, 0.0, 1.0, see_through);
 	settings_changed();
 }
 

@@ -5,6 +5,7 @@
 
 #include <godot_cpp/classes/camera3d.hpp>
 #include <godot_cpp/classes/cubemap.hpp>
+#include <godot_cpp/classes/material.hpp>
 #include <godot_cpp/classes/node3d.hpp>
 #include <godot_cpp/classes/ref.hpp>
 #include <godot_cpp/classes/texture2d.hpp>
@@ -107,6 +108,8 @@ public:
 	double get_saturation() const { return saturation; }
 	void set_stereo_baseline_scale(double factor);
 	double get_stereo_baseline_scale() const { return stereo_baseline_scale; }
+	void set_see_through(double share);
+	double get_see_through() const { return see_through; }
 	void set_redshift_map(bool shown);
 	bool is_redshift_map_shown() const { return redshift_map; }
 
@@ -142,6 +145,10 @@ public:
 	void set_render_layers(uint32_t layers);
 	uint32_t get_render_layers() const { return render_layers; }
 
+	/// Materials of the project's own that see as the sky's do.
+	void add_material(const godot::Ref<godot::Material> &material);
+	void remove_material(const godot::Ref<godot::Material> &material);
+
 	/// Disks round the hole say that they are there.
 	void add_disk(AccretionDisk *disk);
 	void remove_disk(AccretionDisk *disk);
@@ -165,6 +172,7 @@ private:
 	void settings_changed();
 	void apply_settings();
 	void apply_to_disks();
+	void apply_to_materials();
 	void catalogue_changed();
 	void table_changed();
 	void before_draw();
@@ -185,6 +193,7 @@ private:
 	ExposureMeter exposure_meter;
 	SkySettings settings;
 	std::vector<AccretionDisk *> disks;
+	std::vector<godot::Ref<godot::Material>> materials;
 	ExposureMeter::DiskSources disk_sources; ///< with the settings by which the disks are drawn
 
 	double schwarzschild_radius = 1.0;
@@ -195,6 +204,7 @@ private:
 	bool higher_orders = true;
 	double saturation = 1.0;
 	double stereo_baseline_scale = 1.0;
+	double see_through = 0.0;
 	Projection projection = PROJECTION_PERSPECTIVE;
 	int overlays = 0;
 	double overlay_width = 1.5;

@@ -101,6 +101,8 @@ void BlackHoleSky::_bind_methods() {
 	ClassDB::bind_method(
 			D_METHOD("set_stereo_baseline_scale", "factor"), &BlackHoleSky::set_stereo_baseline_scale);
 	ClassDB::bind_method(D_METHOD("get_stereo_baseline_scale"), &BlackHoleSky::get_stereo_baseline_scale);
+	ClassDB::bind_method(D_METHOD("set_see_through", "share"), &BlackHoleSky::set_see_through);
+	ClassDB::bind_method(D_METHOD("get_see_through"), &BlackHoleSky::get_see_through);
 	ClassDB::bind_method(D_METHOD("set_redshift_map", "shown"), &BlackHoleSky::set_redshift_map);
 	ClassDB::bind_method(D_METHOD("is_redshift_map_shown"), &BlackHoleSky::is_redshift_map_shown);
 	ClassDB::bind_method(D_METHOD("set_overlays", "shown"), &BlackHoleSky::set_overlays);
@@ -135,6 +137,8 @@ void BlackHoleSky::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("is_panorama_light"), &BlackHoleSky::is_panorama_light);
 	ClassDB::bind_method(D_METHOD("set_render_layers", "layers"), &BlackHoleSky::set_render_layers);
 	ClassDB::bind_method(D_METHOD("get_render_layers"), &BlackHoleSky::get_render_layers);
+	ClassDB::bind_method(D_METHOD("add_material", "material"), &BlackHoleSky::add_material);
+	ClassDB::bind_method(D_METHOD("remove_material", "material"), &BlackHoleSky::remove_material);
 	ClassDB::bind_method(D_METHOD("distance_to", "world_position"), &BlackHoleSky::distance_to);
 	ClassDB::bind_method(D_METHOD("shadow_angle_at", "world_position"), &BlackHoleSky::shadow_angle_at);
 	ClassDB::bind_method(
@@ -230,6 +234,8 @@ void BlackHoleSky::_bind_methods() {
 			"set_saturation", "get_saturation");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "stereo_baseline_scale", PROPERTY_HINT_RANGE, "0,1,0.01"),
 			"set_stereo_baseline_scale", "get_stereo_baseline_scale");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "see_through", PROPERTY_HINT_RANGE, "0,1,0.01"),
+			"set_see_through", "get_see_through");
 	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "redshift_map"), "set_redshift_map", "is_redshift_map_shown");
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "background", PROPERTY_HINT_ENUM, "None,Grid,Panorama"),
 			"set_background", "get_background");

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <godot_cpp/classes/resource_loader.hpp>
+#include <godot_cpp/variant/packed_vector2_array.hpp>
 #include <godot_cpp/variant/vector2.hpp>
 
 #include "core/disk/page_thorne.h"
@@ -50,7 +51,32 @@ double log2_brightness(double exposure, double brightness_ev) {
 	return blackhole::log2_luminance_unit() + std::log2(exposure) + brightness_ev;
 }
 
+/// See disk_rings.gdshaderinc.
+double ring_measure(double radius) {
+	return 1.0 / (radius + 2.0);
+}
+
+/// Where there is something to see of a disk [r_s].
+struct Extent {
+	double inner;
+	double outer;
+};
+
+Extent extent_of(const DiskSettings &disk) {
+	if (disk.look == DiskSettings::kRings && !disk.rings.empty()) {
+		const auto [least, most] = std::minmax_element(disk.rings.begin(), disk.rings.end());
+		// With room for the lines, which are as wide as pixels make them.
+		return {0.8 * *least, 1.3 * *most + 0.5};
+	}
+	return {disk.plunging ? kDeepest : blackhole::kInnermostStable, disk.outer_radius};
+}
+
 } // namespace
+
+bool DiskLayer::is_drawn() const {
+	const bool empty = disk.look == DiskSettings::kRings && disk.rings.empty();
+	return shown && !empty && scenario.is_valid() && table.is_valid() && table->is_ready();
+}
 
 void DiskLayer::make() {
 	if (triangle.is_made()) {
@@ -140,10 +166,10 @@ void DiskLayer::dress() {
 	triangle.set_parameter("_hole_scale", hole_scale);
 	triangle.set_parameter("_disk_axes", disk.axes);
 	triangle.set_parameter("_sense", disk.retrograde ? -1.0 : 1.0);
-	const double inner = disk.plunging ? kDeepest : blackhole::kInnermostStable;
-	triangle.set_parameter("_edges", pair(1.0 / disk.outer_radius, 1.0 / inner));
+	const Extent extent = extent_of(disk);
+	triangle.set_parameter("_edges", pair(1.0 / extent.outer, 1.0 / extent.inner));
 	triangle.set_parameter("_ring_angles",
-			pair(critical_angle(hole_scale / disk.outer_radius), critical_angle(hole_scale / inner)));
+			pair(critical_angle(hole_scale / extent.outer), critical_angle(hole_scale / extent.inner)));
 	triangle.set_parameter("_outer_fade", disk.outer_fade);
 	triangle.set_parameter("_orders", disk.orders);
 	triangle.set_parameter("_opacity", disk.opacity);
@@ -152,6 +178,30 @@ void DiskLayer::dress() {
 	triangle.set_parameter("_plunging", disk.plunging ? disk.plunging_temperature : 0.0);
 	triangle.set_parameter("_log2_brightness", log2_brightness(sky.exposure, disk.brightness_ev));
 	triangle.set_parameter("_limb_darkening", disk.limb_darkening);
-	triangle.set_parameter("_checkerboard", pair(disk.sectors, disk.ring_width));
+	triangle.set_parameter("_checkerboard", pair(disk.sectors, disk.checker_ring_width));
+	dress_rings();
 	set_time(disk);
+}
+
+void DiskLayer::dress_rings() {
+	const bool rings = disk.look == DiskSettings::kRings;
+	triangle.set_render_priority(rings ? kRingPriority : kDiskPriority);
+	if (!rings) {
+		return;
+	}
+	PackedVector2Array places;
+	places.resize(DiskSettings::kMostRings);
+	for (std::size_t i = 0; i < disk.rings.size(); ++i) {
+		const double measure = ring_measure(disk.rings[i]);
+		double room = measure; // to infinity
+		for (const double other : disk.rings) {
+			const double apart = std::abs(ring_measure(other) - measure);
+			room = apart > 0.0 ? std::min(room, apart) : room;
+		}
+		places[static_cast<int64_t>(i)] = pair(measure, room);
+	}
+	triangle.set_parameter("_rings", places);
+	triangle.set_parameter("_ring_count", static_cast<int>(disk.rings.size()));
+	triangle.set_parameter("_ring_highlight", disk.ring_highlight);
+	triangle.set_parameter("_ring_width", disk.ring_width);
 }

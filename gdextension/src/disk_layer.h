@@ -27,11 +27,12 @@ public:
 	void set_time(const DiskSettings &settings);
 
 private:
-	bool is_drawn() const { return shown && scenario.is_valid() && table.is_valid() && table->is_ready(); }
+	bool is_drawn() const;
 	void refresh();
 	void make();
 	void dress();
 	void load_shader();
+	void dress_rings();
 
 	ScreenTriangle triangle;
 	godot::Ref<godot::Shader> shader;

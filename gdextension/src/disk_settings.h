@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
+#include <vector>
+
 #include <godot_cpp/variant/basis.hpp>
 
 /// What an accretion disk looks like; lengths in r_s, times in r_s/c.
 struct DiskSettings {
 	/// The numbers of accretion_disk.gdshaderinc.
-	enum Look { kPhysical, kTurbulent, kCheckerboard, kTemperature, kRedshift };
+	enum Look { kPhysical, kTurbulent, kCheckerboard, kTemperature, kRedshift, kRings };
+	static constexpr std::size_t kMostRings = 8;
 
 	godot::Basis axes; ///< world; the y axis is the disk's normal
 	double outer_radius = 15.0;
@@ -23,6 +27,9 @@ struct DiskSettings {
 	double contrast = 0.9;  ///< of turbulence
 	double lifetime = 60.0; ///< of an eddy
 	int sectors = 24;       ///< of the checkerboard
-	double ring_width = 1.0;
+	double checker_ring_width = 1.0;
+	std::vector<double> rings{1.5, 2.0, 3.0, 4.0, 6.0, 10.0}; ///< radii of circles
+	int ring_highlight = -1;                                  ///< the circle that stands out; -1: none
+	double ring_width = 2.0;                                  ///< pixels of a picture of 720 rows
 	double time = 0.0;
 };

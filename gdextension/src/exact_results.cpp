@@ -81,3 +81,19 @@ Dictionary exact_disk_point(const char *caller, const Vector3 &position, const V
 	result["redshift"] = point.value->redshift;
 	return result;
 }
+
+Dictionary exact_plane_crossing(const char *caller, const Vector3 &position, const Vector3 &view_direction,
+		const Vector3 &normal, int order, const blackhole::ObserverField &observer) {
+	const blackhole::Outcome<blackhole::PlaneCrossing> crossing = blackhole::plane_crossing(
+			to_glm(position), to_glm(view_direction), to_glm(normal), order, observer);
+	Dictionary result;
+	if (!crossing) {
+		complain(caller, "plane_crossing", crossing.error);
+		return result;
+	}
+	if (crossing.value->reached) {
+		result["radius"] = crossing.value->radius;
+		result["position"] = to_godot(crossing.value->position);
+	}
+	return result;
+}

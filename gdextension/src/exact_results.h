@@ -21,3 +21,6 @@ godot::Dictionary exact_trace(const char *caller, const godot::Vector3 &position
 godot::Dictionary exact_disk_point(const char *caller, const godot::Vector3 &position,
 		const godot::Vector3 &view_direction, const blackhole::DiskPlane &plane, int order,
 		const blackhole::ObserverField &observer);
+godot::Dictionary exact_plane_crossing(const char *caller, const godot::Vector3 &position,
+		const godot::Vector3 &view_direction, const godot::Vector3 &normal, int order,
+		const blackhole::ObserverField &observer);

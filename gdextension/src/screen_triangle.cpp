@@ -62,6 +62,10 @@ void ScreenTriangle::set_visible(bool visible) {
 	RenderingServer::get_singleton()->instance_set_visible(instance, visible);
 }
 
+void ScreenTriangle::set_render_priority(int priority) {
+	RenderingServer::get_singleton()->material_set_render_priority(material, priority);
+}
+
 void ScreenTriangle::set_render_layers(uint32_t layers) {
 	RenderingServer::get_singleton()->instance_set_layer_mask(instance, layers);
 }

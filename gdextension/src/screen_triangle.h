@@ -24,6 +24,7 @@ public:
 	/// An invalid one takes it out of every world.
 	void set_scenario(const godot::RID &scenario);
 	void set_visible(bool visible);
+	void set_render_priority(int priority);
 	void set_render_layers(uint32_t layers);
 	void set_shader(const godot::RID &shader);
 	void set_parameter(const godot::StringName &name, const godot::Variant &value);

@@ -122,6 +122,11 @@ Dictionary SkyObserver::disk_point(const Vector3 &position, const Vector3 &view_
 			"SkyObserver", position, view_direction, {to_glm(normal), retrograde}, order, field());
 }
 
+Dictionary SkyObserver::plane_crossing(
+		const Vector3 &place, const Vector3 &direction, const Vector3 &normal, int order) const {
+	return exact_plane_crossing("SkyObserver", place, direction, normal, order, field());
+}
+
 void SkyObserver::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("set_motion", "motion"), &SkyObserver::set_motion);
 	ClassDB::bind_method(D_METHOD("get_motion"), &SkyObserver::get_motion);
@@ -148,6 +153,8 @@ void SkyObserver::_bind_methods() {
 	ClassDB::bind_method(
 			D_METHOD("disk_point", "position", "view_direction", "normal", "order", "retrograde"),
 			&SkyObserver::disk_point, DEFVAL(false));
+	ClassDB::bind_method(D_METHOD("plane_crossing", "place", "direction", "normal", "order"),
+			&SkyObserver::plane_crossing);
 
 	ADD_PROPERTY(
 			PropertyInfo(Variant::INT, "motion", PROPERTY_HINT_ENUM, "Static,Rain,Infall,Orbit,Velocity"),

@@ -49,6 +49,8 @@ public:
 	godot::Dictionary trace(const godot::Vector3 &position, const godot::Vector3 &view_direction) const;
 	godot::Dictionary disk_point(const godot::Vector3 &position, const godot::Vector3 &view_direction,
 			const godot::Vector3 &normal, int order, bool retrograde) const;
+	godot::Dictionary plane_crossing(const godot::Vector3 &place, const godot::Vector3 &direction,
+			const godot::Vector3 &normal, int order) const;
 
 	/// The same for core.
 	blackhole::ObserverField field() const;

@@ -19,7 +19,7 @@ bool has_equal_uniforms(const SkySettings &a, const SkySettings &b) {
 	return a.hole_position == b.hole_position && a.inverse_radius == b.inverse_radius &&
 			a.observer == b.observer && a.effects == b.effects && a.projection == b.projection &&
 			a.sky_to_world == b.sky_to_world && a.saturation == b.saturation &&
-			a.stereo_baseline_scale == b.stereo_baseline_scale;
+			a.stereo_baseline_scale == b.stereo_baseline_scale && a.see_through == b.see_through;
 }
 
 void set_sky_uniforms(const RID &material, const SkySettings &settings) {
@@ -35,4 +35,5 @@ void set_sky_uniforms(const RID &material, const SkySettings &settings) {
 	server->material_set_param(material, "_sky_to_world", settings.sky_to_world);
 	server->material_set_param(material, "_saturation", settings.saturation);
 	server->material_set_param(material, "_stereo_baseline_scale", settings.stereo_baseline_scale);
+	server->material_set_param(material, "_see_through", settings.see_through);
 }

@@ -34,6 +34,7 @@ struct SkySettings {
 	double exposure = 1.0;                     ///< linear factor, 2^EV
 	double saturation = 1.0;                   ///< 0: grey, 1: as it is, above: exaggerated
 	double stereo_baseline_scale = 1.0;        ///< of a headset's eyes, for the bending of light
+	double see_through = 0.0;                  ///< how clear the sky is where light goes straight, 0 to 1
 	blackhole::PointSpread psf_model = blackhole::PointSpread::kGaussian;
 	double psf_sigma = 1.0;              ///< pixels
 	double aperture = 0.005;             ///< metres
@@ -49,6 +50,11 @@ inline constexpr double kNearestPlace = 1e-6;
 
 /// A place (world) from the hole, in r_s and world axes; one at the hole is put kNearestPlace beside it.
 glm::dvec3 place_in_radii(const SkySettings &settings, const glm::dvec3 &place);
+
+/// Whether the room shows through the sky: maps show all of it as it is.
+inline bool is_clear(const SkySettings &settings) {
+	return settings.see_through > 0.0 && settings.shaders != SkyShaders::kMap;
+}
 
 /// Whether two settings have the same values for the uniforms that every layer has.
 bool has_equal_uniforms(const SkySettings &a, const SkySettings &b);

@@ -55,9 +55,13 @@ BorrowLimits borrow_limits(double pressure) {
 	return limits;
 }
 
-constexpr std::array<const char *, 8> kShaderNames = {"stars_flat", "stars_lensed", "stars_general",
+/// By SkyShaders, then for stars with a profile, then both for a sky through which the room shows.
+constexpr std::array<const char *, 12> kShaderNames = {"stars_flat", "stars_lensed", "stars_general",
 		"stars_map", "stars_flat_profile", "stars_lensed_profile", "stars_general_profile",
-		"stars_map_profile"};
+		"stars_map_profile", "stars_lensed_clear", "stars_general_clear", "stars_lensed_profile_clear",
+		"stars_general_profile_clear"};
+constexpr std::size_t kFirstProfile = 4;
+constexpr std::size_t kFirstClear = 8;
 
 Ref<Shader> load_shader(std::size_t place) {
 	const String path = String("res://addons/blackhole_sky/shaders/") + kShaderNames.at(place) + ".gdshader";
@@ -105,7 +109,7 @@ void StarLayer::ensure_materials() {
 		return;
 	}
 	RenderingServer *server = RenderingServer::get_singleton();
-	for (std::size_t i = 0; i < kShaderNames.size() / 2; ++i) {
+	for (std::size_t i = 0; i < kFirstProfile; ++i) {
 		shaders[i] = load_shader(i);
 	}
 	dressed = false;
@@ -355,10 +359,16 @@ double StarLayer::faint_limit(const SkySettings &settings, int order) {
 	return settings.faint_limit * (order > 0 ? kHigherOrderFaintness : 1.0);
 }
 
-RID StarLayer::shader() {
+std::size_t StarLayer::shader_place() const {
 	const bool with_profile = current.psf_model != blackhole::PointSpread::kGaussian;
-	const std::size_t place =
-			static_cast<std::size_t>(current.shaders) + (with_profile ? kShaderNames.size() / 2 : 0);
+	if (is_clear(current)) {
+		return kFirstClear + (with_profile ? 2 : 0) + (current.shaders == SkyShaders::kRadial ? 0 : 1);
+	}
+	return static_cast<std::size_t>(current.shaders) + (with_profile ? kFirstProfile : 0);
+}
+
+RID StarLayer::shader() {
+	const std::size_t place = shader_place();
 	if (shaders[place].is_null()) {
 		shaders[place] = load_shader(place);
 	}
@@ -394,9 +404,9 @@ void StarLayer::apply(const SkySettings &settings) {
 	ensure_materials();
 	const bool uniform = dressed && has_equal_uniforms(settings, current);
 	const bool equal_stars = dressed && settings.shaders == current.shaders &&
-			settings.psf_model == current.psf_model && settings.psf_sigma == current.psf_sigma &&
-			settings.aperture == current.aperture && settings.glare == current.glare &&
-			settings.faint_limit == current.faint_limit &&
+			is_clear(settings) == is_clear(current) && settings.psf_model == current.psf_model &&
+			settings.psf_sigma == current.psf_sigma && settings.aperture == current.aperture &&
+			settings.glare == current.glare && settings.faint_limit == current.faint_limit &&
 			settings.magnitude_limit == current.magnitude_limit;
 	current = settings;
 	RenderingServer *server = RenderingServer::get_singleton();

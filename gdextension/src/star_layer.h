@@ -90,12 +90,13 @@ private:
 	static void set_drawn(Images &images, int count);
 	void show(Images &images, int order);
 	int orders_drawn() const { return current.lensing ? current.image_orders : 1; }
+	std::size_t shader_place() const;
 	godot::RID shader();
 	godot::RID sprite_in_use() const { return current.shaders == SkyShaders::kMap ? map_sprite : sprite; }
 	void set_point_spread(const godot::RID &material);
 
-	/// By SkyShaders; the second four for stars with a profile, loaded when they are needed.
-	std::array<godot::Ref<godot::Shader>, 8> shaders;
+	/// In the order of their names in star_layer.cpp; most are loaded when they are needed.
+	std::array<godot::Ref<godot::Shader>, 12> shaders;
 	godot::Ref<godot::ImageTexture> profile; ///< of the model and glare below; null for a Gaussian
 	blackhole::PointSpread profile_model = blackhole::PointSpread::kGaussian;
 	double profile_glare = 0.0;

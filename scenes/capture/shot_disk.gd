@@ -5,7 +5,7 @@ extends RefCounted
 
 ## In the order of AccretionDisk.Look.
 const LOOKS: PackedStringArray = [
-	"physical", "turbulent", "checkerboard", "temperature", "redshift"
+	"physical", "turbulent", "checkerboard", "temperature", "redshift", "rings"
 ]
 ## Keys that are a property of AccretionDisk, by the property's name.
 const PROPERTIES: Dictionary[String, String] = {
@@ -24,6 +24,9 @@ const PROPERTIES: Dictionary[String, String] = {
 	"eddy_lifetime": "eddy_lifetime",
 	"checker_sectors": "checker_sectors",
 	"checker_ring_width_rs": "checker_ring_width",
+	"ring_radii_rs": "ring_radii",
+	"ring_highlight": "ring_highlight",
+	"ring_width_px": "ring_width",
 	"time": "time",
 }
 

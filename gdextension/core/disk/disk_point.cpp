@@ -15,27 +15,62 @@
 #include <numbers>
 
 namespace blackhole {
-Outcome<DiskPoint> seen_disk_point(glm::dvec3 position_rs, glm::dvec3 view_direction, const DiskPlane &plane,
-		int order, const ObserverField &observer) {
-	constexpr int kMostOrders = 60;
-	const double length = glm::length(plane.normal);
+namespace {
+
+constexpr int kMostOrders = 60;
+/// Sine of the angle to a plane below which somebody or something is on it: above the rounding of single
+/// precision, in which scripts give their vectors.
+constexpr double kOnPlane = 1e-6;
+
+/// A line of sight and a plane through the hole.
+struct Sighting {
+	ViewFrame frame;
+	double above = 0.0;  ///< the plane's unit normal along the frame's outward direction,
+	double beside = 0.0; ///< along its azimuth
+	double aside = 0.0;  ///< and across both
+	DiskSight sight;
+};
+
+Outcome<Sighting> sighting(glm::dvec3 position_rs, glm::dvec3 view_direction, glm::dvec3 normal, int order,
+		const ObserverField &observer) {
+	const double length = glm::length(normal);
 	if (order < 0 || order > kMostOrders) {
-		return Outcome<DiskPoint>::failure("the order must be between 0 and 60");
+		return Outcome<Sighting>::failure("the order must be between 0 and 60");
 	}
 	if (!(length > 0.0 && std::isfinite(length))) {
-		return Outcome<DiskPoint>::failure("the disk's normal must be finite and not zero");
+		return Outcome<Sighting>::failure("the plane's normal must be finite and not zero");
 	}
 	const Outcome<ViewFrame> frame = view_frame(position_rs, view_direction, observer);
 	if (!frame) {
-		return Outcome<DiskPoint>::failure(frame.error);
+		return Outcome<Sighting>::failure(frame.error);
 	}
-	const SkyFrame &at = frame.value->at;
-	const glm::dvec3 normal = plane.normal / length;
-	const double above = glm::dot(normal, at.outward);
-	const double beside = glm::dot(normal, at.azimuth);
-	const double aside = glm::dot(glm::cross(at.outward, at.azimuth), normal);
+	Sighting result;
+	result.frame = *frame.value;
+	const SkyFrame &at = result.frame.at;
+	result.above = glm::dot(normal, at.outward) / length;
+	result.beside = glm::dot(normal, at.azimuth) / length;
+	result.aside = glm::dot(glm::cross(at.outward, at.azimuth), normal) / length;
 	const double y = at.kappa * (at.far / at.near) - critical_sigma(at.u);
-	const DiskSight sight{at.u, y, std::atan2(std::hypot(beside, aside), above), std::atan2(aside, beside)};
+	result.sight = {at.u, y, std::atan2(std::hypot(result.beside, result.aside), result.above),
+			std::atan2(result.aside, result.beside)};
+	return Outcome<Sighting>::success(result);
+}
+
+/// Unit vector from the hole to what is seen `chi` radians from the observer.
+glm::dvec3 place_at(const SkyFrame &at, double chi) {
+	return at.outward * std::cos(chi) + at.azimuth * std::sin(chi);
+}
+
+} // namespace
+
+Outcome<DiskPoint> seen_disk_point(glm::dvec3 position_rs, glm::dvec3 view_direction, const DiskPlane &plane,
+		int order, const ObserverField &observer) {
+	const Outcome<Sighting> found = sighting(position_rs, view_direction, plane.normal, order, observer);
+	if (!found) {
+		return Outcome<DiskPoint>::failure(found.error);
+	}
+	const DiskSight &sight = found.value->sight;
+	const SkyFrame &at = found.value->frame.at;
 	const DiskCrossing crossing = disk_crossing(sight, order);
 	DiskPoint point;
 	point.radius = crossing.radius;
@@ -43,14 +78,41 @@ Outcome<DiskPoint> seen_disk_point(glm::dvec3 position_rs, glm::dvec3 view_direc
 	if (!point.reached) {
 		return Outcome<DiskPoint>::success(point);
 	}
-	point.place = at.outward * std::cos(crossing.chi) + at.azimuth * std::sin(crossing.chi);
-	const double a = LightRay<double>(at.u, y).a;
-	const double sense = plane.retrograde ? -1.0 : 1.0;
+	point.place = place_at(at, crossing.chi);
+	const double a = LightRay<double>(sight.u, sight.y).a;
+	const double spin = (plane.retrograde ? -1.0 : 1.0) * found.value->aside;
 	const double emitted = point.radius >= kInnermostStable
-			? disk_redshift(point.radius, a, 0.5 * std::numbers::pi, std::asin(sense * aside))
-			: plunging_redshift(point.radius, {a, sense * aside, crossing.outgoing});
-	point.redshift = radial_redshift(at.u, y, at.kappa) * emitted * frame.value->doppler;
+			? disk_redshift(point.radius, a, 0.5 * std::numbers::pi, std::asin(spin))
+			: plunging_redshift(point.radius, {a, spin, crossing.outgoing});
+	point.redshift = radial_redshift(sight.u, sight.y, at.kappa) * emitted * found.value->frame.doppler;
 	return Outcome<DiskPoint>::success(point);
+}
+
+Outcome<PlaneCrossing> plane_crossing(glm::dvec3 position_rs, glm::dvec3 view_direction, glm::dvec3 normal,
+		int order, const ObserverField &observer) {
+	const Outcome<Sighting> found = sighting(position_rs, view_direction, normal, order, observer);
+	if (!found) {
+		return Outcome<PlaneCrossing>::failure(found.error);
+	}
+	DiskSight sight = found.value->sight;
+	int meeting = order;
+	if (std::abs(found.value->above) < kOnPlane) {
+		if (std::abs(found.value->beside) < kOnPlane) {
+			return Outcome<PlaneCrossing>::success({}); // all of the line of sight lies in the plane
+		}
+		// Half a turn from the observer, whose own place is none of the meetings.
+		sight.inclination = 0.5 * std::numbers::pi;
+		sight.azimuth = found.value->beside < 0.0 ? std::numbers::pi : 0.0;
+		meeting += found.value->beside < 0.0 ? 1 : 0;
+	}
+	const DiskCrossing crossing = disk_crossing(sight, meeting);
+	PlaneCrossing result;
+	result.reached = std::isfinite(crossing.radius);
+	if (result.reached) {
+		result.radius = crossing.radius;
+		result.position = place_at(found.value->frame.at, crossing.chi) * crossing.radius;
+	}
+	return Outcome<PlaneCrossing>::success(result);
 }
 
 } // namespace blackhole

@@ -30,4 +30,16 @@ struct DiskPoint {
 Outcome<DiskPoint> seen_disk_point(glm::dvec3 position_rs, glm::dvec3 view_direction, const DiskPlane &plane,
 		int order, const ObserverField &observer);
 
+/// A meeting of a line of sight with a plane through the hole.
+struct PlaneCrossing {
+	bool reached = false;     ///< false where there is none; then the rest is meaningless
+	double radius = 0.0;      ///< r_s
+	glm::dvec3 position{0.0}; ///< from the hole, r_s
+};
+
+/// The same for a plane without a disk. For an observer on the plane his own place is none of the meetings;
+/// a line of sight that lies in the plane has none.
+Outcome<PlaneCrossing> plane_crossing(glm::dvec3 position_rs, glm::dvec3 view_direction, glm::dvec3 normal,
+		int order, const ObserverField &observer);
+
 } // namespace blackhole

@@ -93,6 +93,57 @@ TEST_F(DiskPoints, AreRefusedWhereThereIsNone) {
 	EXPECT_FALSE(seen_disk_point(place, glm::dvec3(0.0), {}, 0, ObserverMotion::kRain));
 }
 
+TEST_F(DiskPoints, AreCrossingsOfAnyPlane) {
+	int seen = 0;
+	for (int trial = 0; trial < 2000; ++trial) {
+		const glm::dvec3 place = direction() * uniform(1.1, 30.0);
+		const glm::dvec3 normal = direction() * uniform(0.1, 10.0);
+		const glm::dvec3 toward = direction();
+		const int order = trial % 3;
+		const auto point = seen_disk_point(place, toward, {normal, false}, order, ObserverMotion::kRain);
+		const auto crossing = plane_crossing(place, toward, normal, order, ObserverMotion::kRain);
+		ASSERT_TRUE(crossing) << crossing.error;
+		ASSERT_EQ(crossing.value->reached, point.value->reached);
+		if (crossing.value->reached) {
+			EXPECT_EQ(crossing.value->radius, point.value->radius);
+			EXPECT_NEAR(glm::distance(crossing.value->position / crossing.value->radius, point.value->place),
+					0.0, 1e-14);
+			++seen;
+		}
+	}
+	EXPECT_GT(seen, 200);
+}
+
+TEST_F(DiskPoints, AreHalfATurnAwayForSomebodyOnThePlane) {
+	int seen = 0;
+	for (int trial = 0; trial < 500; ++trial) {
+		const double r = uniform(1.2, 20.0);
+		const double xi = uniform(0.1, 1.2);
+		const double turn = uniform(0.1, 3.0) * (trial % 2 == 0 ? 1.0 : -1.0);
+		const glm::dvec3 toward(std::sin(xi) * std::cos(turn), std::sin(xi) * std::sin(turn), -std::cos(xi));
+		const auto on = [&](double height, int order) {
+			const glm::dvec3 place(0.0, height, r);
+			return *plane_crossing(place, toward, {0.0, 1.0, 0.0}, order, ObserverMotion::kRain).value;
+		};
+		for (int order = 0; order < 2; ++order) {
+			const PlaneCrossing here = on(0.0, order);
+			// Somebody a little off, on the side he looks to, does not meet the plane beside him either.
+			const PlaneCrossing off = on(turn > 0.0 ? 1e-5 * r : -1e-5 * r, order);
+			if (!here.reached || !off.reached || here.radius > 100.0) {
+				continue;
+			}
+			EXPECT_NEAR(here.radius / off.radius, 1.0, 0.01);
+			EXPECT_LT(std::abs(here.position.y), 1e-9 * here.radius);
+			EXPECT_LT(here.position.z * (order == 0 ? 1.0 : -1.0), 0.0) << "the far side, then the near one";
+			++seen;
+		}
+	}
+	EXPECT_GT(seen, 60);
+	const auto along =
+			plane_crossing({0.0, 0.0, 8.0}, {0.5, 0.0, -1.0}, {0.0, 1.0, 0.0}, 0, ObserverMotion::kStatic);
+	EXPECT_FALSE(along.value->reached) << "in the plane all the way";
+}
+
 TEST_F(DiskPoints, GlowAsTheDiskIsDrawn) {
 	const LensingTables tables = bake_lensing_tables();
 	const PlanckTable planck;

@@ -70,6 +70,7 @@ static func look_titles() -> PackedStringArray:
 		_translated("Checkerboard"),
 		_translated("Temperature"),
 		_translated("Frequency shift"),
+		_translated("Rings"),
 	]
 
 
