@@ -92,6 +92,8 @@ func _draw(spec: ShotSpec, output: CaptureOutput, frame: int) -> String:
 	else:
 		spec.go_to(frame)
 		picture = await _stage.take_next(spec)
+		if picture == null:
+			return "xr: the runtime gave no pictures."
 	if output.kind == "png":
 		picture = await _encoder.encode(picture)
 	var status := output.write(picture, frame)

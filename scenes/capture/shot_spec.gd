@@ -62,6 +62,8 @@ var exposure_ev: float = 0.0
 var auto_exposure: ShotAutoExposure
 var effects := ShotEffects.new()
 var point_spread := ShotPointSpread.new()
+## Null: a camera takes the picture, no headset.
+var headset: ShotHeadset
 ## Null: there is no accretion disk.
 var disk: ShotDisk
 ## Bits of BlackHoleSky.Overlay.
@@ -133,6 +135,7 @@ func _read(data: Dictionary) -> void:
 	if error.is_empty():
 		effects = ShotEffects.from_data(data.get("effects", {}))
 		point_spread = ShotPointSpread.from_data(data.get("psf", {"sigma_px": psf_sigma_px}))
+		headset = ShotHeadset.from_data(data.get("xr", false))
 		disk = ShotDisk.from_data(data.get("disk"))
 		_read_exposure(data.get("exposure", exposure_ev))
 		_read_overlays(data.get("overlays", []))

@@ -18,6 +18,8 @@ var _camera := Camera3D.new()
 var _sky := BlackHoleSky.new()
 var _disk := AccretionDisk.new()
 var _labels := SkyLabels.new()
+# Of shots for a headset; there once one is asked for.
+var _xr: XrShot
 var _catalogues: Dictionary[String, StarCatalogue] = {}
 
 
@@ -54,6 +56,8 @@ func take(spec: ShotSpec, refusal: PackedStringArray) -> Image:
 	_viewport.size = spec.resolution
 	_place(spec)
 	_sky.adapt_at_once()
+	if spec.headset != null:
+		return await _take_both_eyes(spec, refusal)
 	return await _draw(WARM_UP_FRAMES)
 
 
@@ -61,7 +65,24 @@ func take(spec: ShotSpec, refusal: PackedStringArray) -> Image:
 func take_next(spec: ShotSpec) -> Image:
 	_place(spec)
 	_sky.adapt(1.0 / spec.sequence.fps)
+	if spec.headset != null:
+		return await _xr.take(_camera.global_transform, _camera.far)
 	return await _draw(1)
+
+
+func _take_both_eyes(spec: ShotSpec, refusal: PackedStringArray) -> Image:
+	if _xr == null:
+		_xr = XrShot.new()
+		add_child(_xr)
+		var reason := await _xr.open(_viewport.find_world_3d())
+		if not reason.is_empty():
+			refusal.append(reason)
+			return null
+	_sky.stereo_baseline_scale = spec.headset.stereo_baseline_scale
+	var picture := await _xr.take(_camera.global_transform, _camera.far)
+	if picture == null:
+		refusal.append("xr: the runtime gave no pictures.")
+	return picture
 
 
 func _place(spec: ShotSpec) -> void:
@@ -153,7 +174,8 @@ func _set_background(spec: ShotSpec, refusal: PackedStringArray) -> bool:
 
 
 func _aim(spec: ShotSpec) -> void:
-	var radius := minf(1.0, LARGEST_DISTANCE / Vec3D.length(spec.position))
+	var wanted := spec.headset.schwarzschild_radius_m if spec.headset != null else 1.0
+	var radius := minf(wanted, LARGEST_DISTANCE / Vec3D.length(spec.position))
 	_sky.schwarzschild_radius = radius
 	if spec.vertical_fov_deg >= NARROWEST_PERSPECTIVE_DEG:
 		_camera.set_perspective(spec.vertical_fov_deg, _camera.near, _camera.far)

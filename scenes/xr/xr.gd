@@ -9,12 +9,45 @@ const NOTICE_SECONDS: float = 1.5
 ## And between two looks whether it is back.
 const LOOK_SECONDS: float = 4.0
 
+## The rings to which one can jump are drawn, and can be pointed at.
+var rings_shown: bool = false:
+	set(value):
+		rings_shown = value
+		if is_node_ready():
+			_show_rings()
+
+## The cards that explain the hole stand beside it.
+var cards_shown: bool = false:
+	set(value):
+		cards_shown = value
+		if is_node_ready():
+			_show_cards()
+
 var _is_placed: bool = false
 
 @onready var session: XrSession = $Session
 @onready var sky: BlackHoleSky = $Sky
 @onready var hole: HoleInRoom = $Hole
 @onready var head: XRCamera3D = $Headset/Origin/Head
+@onready var left_hand: XrHand = $Headset/Origin/LeftHand
+@onready var right_hand: XrHand = $Headset/Origin/RightHand
+@onready var comfort: Comfort = $Comfort
+@onready var rig: XrRig = $Rig
+@onready var flight: Flight = $Flight
+@onready var jump: RingJump = $Rings
+@onready var rides: XrRides = $Rides
+@onready var pointer: XrPointer = $Headset/Origin/Pointer
+@onready var menu: XrMenu = $Headset/Origin/Menu
+@onready var cards: HoleCards = $Cards
+@onready var spectator: Spectator = $Spectator
+@onready var quality: QualityLadder = $Quality
+@onready var switches: SkySwitches = $Switches
+@onready var _brightness: BrightnessLimit = $Brightness
+@onready var _pages: VisitPages = $Pages
+@onready var _choice: ObserverChoice = $Choice
+@onready var _snap_turn: SnapTurn = $SnapTurn
+@onready var _smooth_turn: SmoothTurn = $SmoothTurn
+@onready var _sign: VisitSign = $Headset/Origin/Sign
 @onready var _data: SkyData = $Data
 @onready var _screen: ScreenNotice = $Screen
 
@@ -22,16 +55,29 @@ var _is_placed: bool = false
 func _ready() -> void:
 	session.unavailable.connect(_on_unavailable)
 	session.lost.connect(_on_lost)
-	session.recentred.connect(_put_hole)
+	session.recentred.connect(recentre)
 	session.focus_changed.connect(_on_focus_changed)
+	comfort.changed.connect(_follow_comfort)
+	rides.counted_down.connect(_on_counted_down)
+	rides.began.connect(_on_ride_began)
+	rides.ended.connect(_on_ride_ended)
+	rides.pause_changed.connect(_on_pause_changed)
+	rides.crossed_horizon.connect(_on_crossed_horizon)
+	_choice.warned.connect(_on_warned)
+	rig.jumped.connect(_brightness.adapt_at_once)
+	for hand: XrHand in [left_hand, right_hand]:
+		hand.menu_asked.connect(_on_menu_asked)
+	menu.set_pages(_pages.make(), VisitPages.FIRST)
+	_follow_comfort()
 	_data.load_all()
-	session.start()
+	if session.start():
+		_walk_if_asked()
 
 
 func _process(_delta: float) -> void:
 	# The head's place is known some frames after the first picture.
 	if not _is_placed and session.is_shown() and session.get_head_pose() != Transform3D.IDENTITY:
-		_put_hole()
+		_place_first()
 
 
 ## Has the runtime gone, so that the screen asks for patience?
@@ -39,10 +85,101 @@ func is_waiting_for_headset() -> bool:
 	return _screen.visible
 
 
-## Puts the hole anew before the visitor.
-func _put_hole() -> void:
+## Has the hole been put before the visitor?
+func has_started() -> bool:
+	return _is_placed
+
+
+## Ends the program, as the visitor wishes.
+func leave() -> void:
+	get_tree().quit()
+
+
+## Puts the hole anew before the visitor, as at the beginning. A ride is left first.
+func recentre() -> void:
+	if rides.is_on():
+		rides.leave()
+		await rides.ended
 	_is_placed = true
+	rig.set_room(Transform3D.IDENTITY)
 	hole.place(session.get_play_area(), session.get_head_pose())
+
+
+# Whoever asks for a strip of pictures is shown them by a visitor that does not exist.
+func _walk_if_asked() -> void:
+	var folder := VisitStrip.folder_from(OS.get_cmdline_user_args())
+	if folder.is_empty():
+		return
+	var strip := VisitStrip.new()
+	strip.scene = self
+	add_child(strip)
+	strip.walk(folder)
+
+
+func _place_first() -> void:
+	var room: Variant = VisitMemory.recall(sky) if Supervision.is_started_again() else null
+	if room == null:
+		recentre()
+	else:
+		_is_placed = true
+		rig.set_room(room)
+
+
+func _follow_comfort() -> void:
+	_show_cards()
+	_snap_turn.enabled = not comfort.smooth_turn and not rides.is_on()
+	_smooth_turn.enabled = comfort.smooth_turn and not rides.is_on()
+	flight.enabled = comfort.smooth_flight and not rides.is_on()
+	sky.stereo_baseline_scale = comfort.stereo_baseline
+	_show_rings()
+
+
+# On rides there is no reading.
+func _show_cards() -> void:
+	cards.visible = cards_shown and not rides.is_on()
+
+
+func _show_rings() -> void:
+	jump.enabled = rings_shown and not rides.is_on()
+
+
+func _on_menu_asked() -> void:
+	menu.toggle(head.global_transform)
+
+
+func _on_warned(_topic: StringName, text: String) -> void:
+	_sign.say(text, 5.0)
+
+
+func _on_counted_down(seconds: int) -> void:
+	_follow_comfort()
+	if seconds > 0:
+		_sign.say(str(seconds), 1.2)
+
+
+func _on_ride_began() -> void:
+	_sign.clear()
+	_follow_comfort()
+
+
+func _on_crossed_horizon() -> void:
+	_sign.say(tr("That was the horizon. Look round: the sky is behind you now."), 6.0)
+
+
+func _on_ride_ended(completed: bool) -> void:
+	_sign.clear()
+	_follow_comfort()
+	if completed:
+		_sign.say(
+			tr("You have fallen through the horizon. Nobody has ever come back to tell."), 7.0
+		)
+
+
+func _on_pause_changed(paused: bool) -> void:
+	if paused:
+		_sign.say(tr("Paused"))
+	else:
+		_sign.clear()
 
 
 func _on_unavailable(reason: String) -> void:
@@ -54,11 +191,16 @@ func _on_unavailable(reason: String) -> void:
 
 
 func _on_lost() -> void:
+	if _is_placed:
+		VisitMemory.store(rides.get_home_radius(), sky.global_position, rides.get_home())
 	_wait_for_headset(Supervision.LOST, NOTICE_SECONDS)
 
 
 func _on_focus_changed(focused: bool) -> void:
 	print("xr: %s" % ("in focus" if focused else "out of focus"))
+	pointer.enabled = focused
+	if rides.is_on() and not focused:
+		rides.set_paused(true)
 
 
 func _wait_for_headset(status: int, seconds: float) -> void:

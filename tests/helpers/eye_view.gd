@@ -35,6 +35,15 @@ func to_pixel(direction: Vector3) -> Vector2:
 	return Vector2((0.5 + 0.5 * ndc.x) * size.x, (0.5 - 0.5 * ndc.y) * size.y)
 
 
+## The world direction, a unit vector, that is seen at a place of the picture.
+func to_direction(pixel: Vector2) -> Vector3:
+	var ndc := Vector2(2.0 * pixel.x / size.x - 1.0, 1.0 - 2.0 * pixel.y / size.y)
+	# Skewed to the side alone, as every eye's projection is.
+	var x := (ndc.x + _projection.z.x) / _projection.x.x
+	var y := (ndc.y + _projection.z.y) / _projection.y.y
+	return (_to_eye.transposed() * Vector3(x, y, -1.0)).normalized()
+
+
 ## Is a place in the picture, `margin` pixels from its border at least?
 func holds(pixel: Vector2, margin: float) -> bool:
 	return Rect2(Vector2.ZERO, size).grow(-margin).has_point(pixel)

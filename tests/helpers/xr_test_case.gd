@@ -25,3 +25,45 @@ func begun() -> bool:
 	var well := await visit.begin()
 	assert_true(well, "in focus")
 	return well
+
+
+## Nothing else is seen from now on: no hand points, and nothing waits to be pointed at.
+func show_sky_alone() -> void:
+	visit.scene.get_node("Headset/Origin/MenuDisc").hide()
+	visit.headset.left.active = false
+	visit.headset.right.active = false
+
+
+## Puts the head there. The hole stays where it is from then on, or is put.
+func move_head(pose: Transform3D) -> void:
+	assert_true(await visit.settle(visit.scene.has_started), "the hole before the visitor")
+	assert_true(await visit.move_head(pose), "head moved")
+
+
+## What both eyes are shown, left first.
+func take_pictures() -> Array[Image]:
+	var compositor := Compositor.new()
+	var capture := EyeCapture.new()
+	compositor.compositor_effects = [capture]
+	visit.scene.head.compositor = compositor
+	await wait_process_frames(6)
+	watch_signals(capture)
+	capture.request()
+	await wait_for_signal(capture.taken, 10.0)
+	visit.scene.head.compositor = null
+	var emitted: Array = get_signal_parameters(capture, "taken")
+	var pictures: Array[Image] = []
+	if emitted != null and not emitted.is_empty():
+		pictures = emitted[0]
+	assert_eq(pictures.size(), 2, "a picture for each eye")
+	return pictures
+
+
+## The eyes that saw these pictures, as far apart as the headset has them.
+func eyes_of(pictures: Array[Image]) -> Array[EyeView]:
+	var eyes: Array[EyeView] = []
+	for view in pictures.size():
+		eyes.append(EyeView.new(visit.scene, view, pictures[view].get_size()))
+	var apart := eyes[0].place.distance_to(eyes[1].place)
+	assert_almost_eq(apart, 2.0 * SimulatedHeadset.HALF_EYES, 1e-3, "between the eyes")
+	return eyes

@@ -29,6 +29,9 @@ static func excuse(errors: Array) -> void:
 func begin() -> bool:
 	scene = SCENE.instantiate()
 	add_child(scene)
+	# The picture keeps its quality however slowly a processor draws it, for the headset alone.
+	scene.quality.enabled = false
+	scene.spectator.mode = Spectator.Mode.OFF
 	if not headset.open():
 		return false
 	return await settle(func() -> bool: return headset.send() and scene.session.has_focus())

@@ -42,7 +42,7 @@ func _assert_preset(preset: String) -> void:
 	for property: String in values:
 		if property != "brightness_ev":
 			assert_eq(_disk.get(property), values[property], "%s of %s" % [property, preset])
-	assert_lte(_disk.brightness_ev, DiskSwitches.BRIGHTEST, "%s beside stars" % preset)
+	assert_lte(_disk.brightness_ev, _switches.brightest, "%s beside stars" % preset)
 
 
 func test_there_is_none_at_first_and_the_key_shows_and_hides_it() -> void:
@@ -123,7 +123,7 @@ func test_choices_and_boxes_of_the_page() -> void:
 	preset.chosen.emit(2)
 	_assert_preset("film")
 	var look := _stepper("Look")
-	assert_eq(look.titles.size(), AccretionDisk.LOOK_REDSHIFT + 1)
+	assert_eq(look.titles.size(), AccretionDisk.LOOK_RINGS + 1)
 	look.chosen.emit(AccretionDisk.LOOK_CHECKERBOARD)
 	assert_eq(_disk.look, AccretionDisk.LOOK_CHECKERBOARD)
 	_stepper("DiskOrders").chosen.emit(0)

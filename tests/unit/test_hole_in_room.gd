@@ -22,7 +22,7 @@ func test_without_room_to_walk_it_is_small_and_ahead() -> void:
 	_hole.place(PackedVector3Array(), head)
 	assert_almost_eq(_sky.schwarzschild_radius, HoleInRoom.LEAST_RADIUS, 1e-6)
 	var ahead := HoleInRoom.LEAST_RADIUS * HoleInRoom.WALK_RADII
-	var wanted := Vector3(1.0 - ahead, 1.2 - HoleInRoom.BELOW_EYES, 2.0)
+	var wanted := Vector3(1.0 - ahead * cos(HoleInRoom.DIP), 1.2 - ahead * sin(HoleInRoom.DIP), 2.0)
 	assert_almost_eq(_sky.global_position, wanted, Vector3.ONE * 1e-5)
 
 
@@ -30,7 +30,8 @@ func test_a_hall_has_it_in_the_middle_as_large_as_fits() -> void:
 	_hole.place(_square(8.0), Transform3D(Basis.IDENTITY, Vector3(0.0, 1.7, 3.9)))
 	var walk := 4.0 - HoleInRoom.MARGIN
 	assert_almost_eq(_sky.schwarzschild_radius, walk / HoleInRoom.WALK_RADII, 1e-5)
-	assert_almost_eq(_sky.global_position, Vector3(0.0, 1.6, 0.0), Vector3.ONE * 1e-5)
+	var height := 1.7 - walk * sin(HoleInRoom.DIP)
+	assert_almost_eq(_sky.global_position, Vector3(0.0, height, 0.0), Vector3.ONE * 1e-5)
 
 
 func test_nobody_stands_in_it_at_first() -> void:

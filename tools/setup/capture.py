@@ -10,9 +10,10 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-from setup import frames, movie, prepare, session
+from setup import frames, monado, movie, prepare, session
 from setup.console import Failure, Pace, Progress, note
 from setup.godot import Godot
+from setup.simulated_headset import SimulatedHeadset
 
 SCRIPT = "res://scenes/capture/capture.gd"
 USAGE = """usage: ./run capture SHOT.json OUT.png|OUT.exr
@@ -35,14 +36,18 @@ def run(arguments: list[str]) -> int:
     jobs, base = _jobs(arguments)
     for job in jobs:
         _check_movie(job)
-    grouped: dict[str, list[Job]] = {}
+    grouped: dict[tuple[str, bool], list[Job]] = {}
     for job in jobs:
-        grouped.setdefault(renderer_of(job), []).append(job)
+        grouped.setdefault((renderer_of(job), is_for_headset(job)), []).append(job)
     godot = prepare.project()
     failures = []
-    for renderer, group in grouped.items():
+    for (renderer, in_headset), group in grouped.items():
         try:
-            _draw(godot, renderer, group, base)
+            if in_headset:
+                with SimulatedHeadset(monado.find(godot)) as headset:
+                    _draw(godot, renderer, group, base, headset)
+            else:
+                _draw(godot, renderer, group, base, None)
         except Failure as failure:
             failures.append(failure)
     if failures:
@@ -61,6 +66,11 @@ def renderer_of(job: Job) -> str:
     if named in session.RENDERERS:
         return str(named)
     return "forward_plus" if named is None and job.out.suffix == ".exr" else "mobile"
+
+
+def is_for_headset(job: Job) -> bool:
+    """Whether a headset takes the picture: a simulated one, whose head keeps still."""
+    return bool(_shot(job).get("xr", False))
 
 
 def _shot(job: Job) -> dict[str, object]:
@@ -119,7 +129,7 @@ def _written(path: Path) -> int | None:
     return path.stat().st_mtime_ns if path.is_file() else None
 
 
-def _draw(godot: Godot, renderer: str, group: list[Job], base: Path) -> None:
+def _draw(godot: Godot, renderer: str, group: list[Job], base: Path, headset: SimulatedHeadset | None) -> None:
     for job in group:
         if frames.is_movie(job.out):
             frames.remove(frames.drawn(job.out))
@@ -134,7 +144,7 @@ def _draw(godot: Godot, renderer: str, group: list[Job], base: Path) -> None:
 
     watch = show if any("path" in _shot(job) for job in group) else None
     try:
-        _run_scene(godot, renderer, group, base, watch)
+        _run_scene(godot, renderer, group, base, watch, headset)
     except KeyboardInterrupt:
         progress.close()
         for job in group:
@@ -154,16 +164,17 @@ def _draw(godot: Godot, renderer: str, group: list[Job], base: Path) -> None:
 
 def _run_scene(
     godot: Godot, renderer: str, group: list[Job], base: Path, watch: Callable[[str], None] | None,
+    headset: SimulatedHeadset | None,
 ) -> None:
     listed = [{"shot": job.shot, "out": frames.drawn(job.out)} for job in group]
     if len(group) == 1 and isinstance(group[0].shot, Path):
         arguments = [str(listed[0]["shot"]), str(listed[0]["out"])]
-        session.run_script(godot, SCRIPT, renderer, arguments, base, watch)
+        session.run_script(godot, SCRIPT, renderer, arguments, base, watch, headset)
         return
     with tempfile.NamedTemporaryFile("w", suffix=".json", encoding="utf-8") as file:
         json.dump(listed, file, default=str)
         file.flush()
-        session.run_script(godot, SCRIPT, renderer, ["--batch", file.name], base, watch)
+        session.run_script(godot, SCRIPT, renderer, ["--batch", file.name], base, watch, headset)
 
 
 def _say_what_is_left(job: Job) -> None:

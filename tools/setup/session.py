@@ -13,6 +13,7 @@ from pathlib import Path
 from setup import display, paths, process
 from setup.console import Failure, tail
 from setup.godot import Godot
+from setup.simulated_headset import SimulatedHeadset
 
 RENDERERS = ("mobile", "forward_plus", "gl_compatibility")
 _TIMEOUT_S = 3600.0
@@ -31,17 +32,20 @@ def open_project(godot: Godot, arguments: list[str], variables: Mapping[str, str
         return 130
 
 
-def script_command(godot: Godot, script: str, renderer: str, arguments: list[str]) -> list[str]:
+def script_command(
+    godot: Godot, script: str, renderer: str, arguments: list[str], in_headset: bool = False
+) -> list[str]:
     """The command that runs a script of the project as main loop where it can draw."""
+    headset = ["--xr-mode", "on"] if in_headset else []
     return display.on_screen([
         str(godot.executable), "--path", str(paths.ROOT), "--rendering-method", renderer,
-        "--audio-driver", "Dummy", "-s", script, "--", *arguments,
+        "--audio-driver", "Dummy", *headset, "-s", script, "--", *arguments,
     ])
 
 
 def run_script(
     godot: Godot, script: str, renderer: str, arguments: list[str], base: Path | None = None,
-    on_line: Callable[[str], None] | None = None,
+    on_line: Callable[[str], None] | None = None, headset: SimulatedHeadset | None = None,
 ) -> str:
     """Runs a script to its end and returns what it and the engine printed; its exit status as a Failure.
 
@@ -54,7 +58,9 @@ def run_script(
     os.close(handle)
     log = Path(log_name)
     env = {**os.environ, "BLACKHOLE_CALLER_DIR": str(base or Path.cwd())}
-    command = script_command(godot, script, renderer, arguments)
+    if headset is not None:
+        env |= headset.environment()
+    command = script_command(godot, script, renderer, arguments, headset is not None)
     status = process.run_logged(command, log, env=env, timeout_s=_TIMEOUT_S, on_line=on_line)
     printed = log.read_text(encoding="utf-8", errors="replace")
     if status != 0 or _BROKEN.search(printed):

@@ -71,8 +71,12 @@ class Capture(unittest.TestCase):
         path.write_text(json.dumps([{"shot": s, "out": f"out/{o.name}"} for s, o in zip(shots, outs)]), encoding="utf-8")
         starts: list[tuple[str, list[str], Path]] = []
 
-        def draw(_godot: object, _script: str, renderer: str, arguments: list[str], base: Path, on_line: object) -> str:
+        def draw(
+            _godot: object, _script: str, renderer: str, arguments: list[str], base: Path, on_line: object,
+            headset: object,
+        ) -> str:
             self.assertIsNone(on_line)
+            self.assertIsNone(headset)
             drawn = [{"out": arguments[1]}]
             if arguments[0] == "--batch":
                 drawn = json.loads(Path(arguments[1]).read_text(encoding="utf-8"))
@@ -89,6 +93,22 @@ class Capture(unittest.TestCase):
             ("mobile", [str(outs[0]), str(outs[2])], self.folder), ("forward_plus", [str(outs[1])], self.folder),
         ])
         self.assertEqual([call.args[0] for call in printed.call_args_list], outs)
+
+    def test_shots_for_a_headset_have_one(self) -> None:
+        shot = self.folder / "eyes.json"
+        shot.write_text(json.dumps({"position_rs": [0, 0, 9], "xr": {"schwarzschild_radius_m": 2}}), encoding="utf-8")
+        out = self.folder / "eyes.png"
+        worn = mock.MagicMock()
+
+        def draw(*arguments: object) -> str:
+            self.assertIs(arguments[-1], worn.return_value.__enter__.return_value)
+            out.touch()
+            return ""
+
+        with mock.patch("setup.prepare.project"), mock.patch("setup.session.run_script", draw), \
+                mock.patch("setup.monado.find"), mock.patch("setup.capture.SimulatedHeadset", worn), \
+                mock.patch("builtins.print"):
+            self.assertEqual(capture.run([str(shot), str(out)]), 0)
 
     def test_a_picture_that_was_not_written_is_a_failure(self) -> None:
         with mock.patch("setup.prepare.project"), mock.patch("setup.session.run_script", return_value=""):
@@ -109,7 +129,7 @@ class Sequence(unittest.TestCase):
         """Captures with a stand-in for Godot; returns the exit status and the lines on stderr."""
         def draw(
             _godot: object, _script: str, _renderer: str, arguments: list[str], _base: Path,
-            on_line: Callable[[str], None],
+            on_line: Callable[[str], None], _headset: object,
         ) -> str:
             pattern = Path(arguments[1])
             pattern.parent.mkdir(exist_ok=True)

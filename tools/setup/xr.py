@@ -5,14 +5,17 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
+from pathlib import Path
 
 from setup import display, monado, openxr_runtime, prepare, session
 from setup.console import Failure, note, say
 from setup.godot import Godot
+from setup.monado import Monado
 from setup.simulated_headset import SimulatedHeadset
 
 SCENE = "res://scenes/xr/xr.tscn"
-USAGE = "usage: ./run xr [--simulated] [-- ARGUMENTS FOR GODOT]"
+USAGE = """usage: ./run xr [--simulated] [-- ARGUMENTS FOR GODOT]
+       ./run xr --strip OUT/      (pictures of a whole visit, by a simulated headset)"""
 # The scene ends with one of these when it has lost the runtime, and when that has not come back yet: the engine looks for
 # a runtime only when it starts.
 LOST, STILL_WAITING = 75, 76
@@ -22,11 +25,14 @@ _WITHIN_S = 60.0
 
 def run(arguments: list[str]) -> int:
     """The subcommand."""
-    simulated, extra = parse(arguments)
+    strip = strip_folder(arguments)
+    simulated, extra = (True, []) if strip else parse(arguments)
     godot = prepare.project()
     if not simulated:
         return _with_runtime(godot, extra)
     found = monado.find(godot)
+    if strip:
+        return _strip(godot, found, strip)
     say("Starting a simulated headset")
     with SimulatedHeadset(found) as headset:
         note(f"It listens on port {headset.port}; head and hands move with, for example,")
@@ -42,6 +48,22 @@ def parse(arguments: list[str]) -> tuple[bool, list[str]]:
     if rest and rest[0] != "--":
         raise Failure(USAGE, 2)
     return simulated, rest[1:]
+
+
+def strip_folder(arguments: list[str]) -> Path | None:
+    """The folder for the pictures of a visit, if that is asked for."""
+    if arguments[:1] != ["--strip"]:
+        return None
+    if len(arguments) != 2:
+        raise Failure(USAGE, 2)
+    return Path(arguments[1]).absolute()
+
+
+def _strip(godot: Godot, runtime: Monado, folder: Path) -> int:
+    say("Visiting with a simulated headset; without a graphics card this takes some minutes")
+    with SimulatedHeadset(runtime) as headset:
+        arguments = ["--rendering-method", "mobile", "--audio-driver", "Dummy", "--xr-mode", "on", SCENE, "--"]
+        return session.open_project(godot, [*arguments, "--strip", str(folder)], headset.environment())
 
 
 def supervise(start: Callable[[dict[str, str]], int], clock: Callable[[], float] = time.monotonic) -> int:

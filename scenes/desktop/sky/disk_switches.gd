@@ -4,12 +4,11 @@ extends Node
 ## What a visitor can switch at the accretion disk: whether it is there, which ready-made one it is,
 ## and how it lies.
 
-## So much less than by themselves ready-made disks shine here, in EV: the exposure is that for
-## faint stars.
-const DIMMING: float = 2.5
+## So much less than by themselves ready-made disks shine here: the exposure is that for faint
+## stars.
+@export_range(0.0, 10.0, 0.1, "suffix:EV") var dimming: float = 2.5
 ## Nor do they shine more than so: beside a black body as bright as it is there are no stars.
-const BRIGHTEST: float = -35.0
-
+@export_range(-60.0, 0.0, 0.1, "suffix:EV") var brightest: float = -35.0
 @export var disk: AccretionDisk
 
 ## Angle of the disk's normal to the first view's line of sight, in degrees: from there 0 is seen
@@ -44,7 +43,7 @@ func next_preset() -> void:
 
 func _apply_preset() -> void:
 	DiskPresets.apply(disk, preset)
-	disk.brightness_ev = minf(disk.brightness_ev - DIMMING, BRIGHTEST)
+	disk.brightness_ev = minf(disk.brightness_ev - dimming, brightest)
 
 
 # About the first view's horizontal line: its upper side comes to be seen as the angle shrinks.

@@ -13,10 +13,12 @@ const _SOURCE: String = """#version 450
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(set = 0, binding = 0) uniform sampler2D source;
 layout(rgba32f, set = 0, binding = 1) uniform writeonly image2D target;
+layout(push_constant) uniform Light { float scale; float a; float b; float c; } light;
 void main() {
 	ivec2 at = ivec2(gl_GlobalInvocationID.xy);
 	if (all(lessThan(at, imageSize(target)))) {
-		imageStore(target, at, texelFetch(source, at, 0));
+		vec4 seen = texelFetch(source, at, 0);
+		imageStore(target, at, vec4(seen.rgb * light.scale, seen.a));
 	}
 }
 """
@@ -94,6 +96,10 @@ func _copy(layer: RID, view: int) -> void:
 	var list := _device.compute_list_begin()
 	_device.compute_list_bind_compute_pipeline(list, _pipeline)
 	_device.compute_list_bind_uniform_set(list, bound, 0)
+	# Mobile keeps half the light in ten bits, so that twice white has room.
+	var halved := format.format == RenderingDevice.DATA_FORMAT_A2B10G10R10_UNORM_PACK32
+	var scale := PackedFloat32Array([2.0 if halved else 1.0, 0.0, 0.0, 0.0]).to_byte_array()
+	_device.compute_list_set_push_constant(list, scale, scale.size())
 	_device.compute_list_dispatch(list, ceili(size.x / 8.0), ceili(size.y / 8.0), 1)
 	_device.compute_list_end()
 	_device.texture_get_data_async(copy, 0, _on_copied.bind(view, size, copy, bound))

@@ -20,6 +20,7 @@ func _init() -> void:
 	material_override = _material
 	custom_aabb = AABB(Vector3.ONE * -1e4, Vector3.ONE * 2e4)
 	cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_OFF
+	layers = 2  # for the visitor alone
 	visible = false
 
 

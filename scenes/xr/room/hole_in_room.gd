@@ -14,8 +14,9 @@ const LARGEST_RADIUS: float = 3.0
 const WALK_RADII: float = 5.0
 ## Nobody walks nearer to the edge of the play area than this, metres.
 const MARGIN: float = 0.35
-## The hole's centre is so far below the eyes, metres: one looks down on things a little.
-const BELOW_EYES: float = 0.1
+## So steeply, radians, one looks down on the hole's centre at first: what lies level round the hole
+## is then seen from above.
+const DIP: float = PI / 12.0
 
 @export var sky: BlackHoleSky
 @export var origin: XROrigin3D
@@ -29,14 +30,14 @@ func place(play_area: PackedVector3Array, head: Transform3D) -> void:
 	ahead = ahead.normalized() if ahead.length() > 1e-3 else Vector3.FORWARD
 	var radius := fitting_radius(free)
 	var eyes := head.origin
-	var centre := eyes + ahead * radius * WALK_RADII
+	var centre := eyes + ahead * radius * WALK_RADII * cos(DIP)
 	if free >= 0.99 * radius * WALK_RADII:
 		# Room to walk all round: in its middle, unless the visitor stands there.
 		var middle := _middle_of(play_area)
 		var away := Vector2(eyes.x - middle.x, eyes.z - middle.z).length()
 		if away > 0.6 * radius * WALK_RADII:
 			centre = middle
-	centre.y = eyes.y - BELOW_EYES
+	centre.y = eyes.y - radius * WALK_RADII * sin(DIP)
 	sky.schwarzschild_radius = radius
 	sky.global_position = origin.global_transform * centre
 	placed.emit(radius)

@@ -8,13 +8,15 @@ const BYTES: int = 376
 const MAGIC: String = "mndrmt3"
 const HEAD_AT: int = 104
 const HANDS_AT: int = 136
+## 1: what is told of the eyes counts.
+const EYES_COUNT_AT: int = 132
 const EYES_AT: int = 8
 const EYE_BYTES: int = 48
 ## Half the distance of the eyes, metres.
 const HALF_EYES: float = 0.0315
-## The edges of each eye's field: left, right, up, down, radians.
-const LEFT_FIELD: PackedFloat32Array = [-0.75, 0.65, 0.6, -0.6]
-const RIGHT_FIELD: PackedFloat32Array = [-0.65, 0.75, 0.6, -0.6]
+## The edges of each eye's field: left, right, up, down, radians; square pixels at 4 to 3.
+const LEFT_FIELD: PackedFloat32Array = [-0.75, 0.65, 0.5657, -0.5657]
+const RIGHT_FIELD: PackedFloat32Array = [-0.65, 0.75, 0.5657, -0.5657]
 ## The variable that names the port.
 const PORT_VARIABLE: String = "BLACKHOLE_HEADSET_PORT"
 
@@ -76,6 +78,7 @@ func to_bytes() -> PackedByteArray:
 		var side := -HALF_EYES if eye == 0 else HALF_EYES
 		write_pose(bytes, at + 16, Transform3D(Basis.IDENTITY, Vector3(side, 0.0, 0.0)))
 	write_pose(bytes, HEAD_AT, head)
+	bytes[EYES_COUNT_AT] = 1
 	left.write(bytes, HANDS_AT)
 	right.write(bytes, HANDS_AT + SimulatedHand.BYTES)
 	return bytes
