@@ -38,6 +38,7 @@ var _is_placed: bool = false
 @onready var rides: XrRides = $Rides
 @onready var pointer: XrPointer = $Headset/Origin/Pointer
 @onready var menu: XrMenu = $Headset/Origin/Menu
+@onready var menu_layer: PanelLayer = $Headset/Origin/MenuLayer
 @onready var cards: HoleCards = $Cards
 @onready var spectator: Spectator = $Spectator
 @onready var quality: QualityLadder = $Quality
@@ -50,6 +51,11 @@ var _is_placed: bool = false
 @onready var _sign: VisitSign = $Headset/Origin/Sign
 @onready var _data: SkyData = $Data
 @onready var _screen: ScreenNotice = $Screen
+
+
+func _enter_tree() -> void:
+	if StandaloneQuality.is_here():
+		StandaloneQuality.apply($Quality, $Session, $Spectator)
 
 
 func _ready() -> void:
@@ -123,6 +129,7 @@ func _place_first() -> void:
 	else:
 		_is_placed = true
 		rig.set_room(room)
+		print("xr: back at the same place")
 
 
 func _follow_comfort() -> void:

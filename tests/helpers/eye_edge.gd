@@ -75,13 +75,13 @@ static func _rise(value: Callable, reach: float) -> float:
 static func _along(
 	eye: EyeView, measure: Callable, start: Vector2, step: Vector2, into: Array[EyeEdge]
 ) -> void:
-	var pixel := start
-	var before: float = measure.call(eye.place, eye.to_direction(pixel))
-	while eye.holds(pixel, 0.0):
-		pixel += step
-		var here: float = measure.call(eye.place, eye.to_direction(pixel))
-		if before * here < 0.0 and eye.holds(pixel, CLEAR + LOOKS + 1.0):
-			var edge := _between(eye, measure, pixel - step, pixel, before < 0.0)
+	var at := start
+	var before: float = measure.call(eye.place, eye.to_direction(at))
+	while eye.holds(at, 0.0):
+		at += step
+		var here: float = measure.call(eye.place, eye.to_direction(at))
+		if before * here < 0.0 and eye.holds(at, CLEAR + LOOKS + 1.0):
+			var edge := _between(eye, measure, at - step, at, before < 0.0)
 			var is_new := func(other: EyeEdge) -> bool:
 				return other.pixel.distance_to(edge.pixel) > 0.5 * LINES
 			if edge._is_alone(eye, measure) and into.all(is_new):

@@ -2,8 +2,8 @@
 extends RigCase
 ## No ride flickers: within a second the picture's mean luminance does not swing to and fro by more
 ## than a tenth more than three times, with the stars, the Milky Way and the limit of brightness of
-## the scene for headsets. Measured on pictures of the whole ride with ./test --all, of parts of it
-## otherwise.
+## the scene for headsets. Measured on pictures of the whole ride with ./test --all and Mobile, of
+## parts of it otherwise.
 
 const SIZE := Vector2i(160, 120)
 const PICTURES_PER_SECOND: int = 12
@@ -70,7 +70,7 @@ func test_rides(
 		pictures += luminances.size()
 		most = maxi(most, _most_swings(luminances))
 	gut.p("%d pictures, at most %d swings a second" % [pictures, most])
-	assert_gt(pictures, 30)
+	assert_gt(pictures, 20)
 	assert_lte(most, MOST_SWINGS)
 
 
@@ -86,11 +86,12 @@ func test_swings_are_counted() -> void:
 
 # Where along a ride (0: where it is) pictures are taken, and for how many seconds.
 func _parts(kind: XrRides.Kind) -> Array[Vector2]:
-	if RendererScope.is_everything_wanted():
+	var by_mobile := RenderingServer.get_current_rendering_method() == "mobile"
+	if RendererScope.is_everything_wanted() and by_mobile:
 		return [Vector2(0.0, 60.0 if kind == XrRides.Kind.FALL else 20.0)]
 	if kind == XrRides.Kind.ORBIT_RIGHT:
-		return [Vector2(0.0, 3.0)]
-	return [Vector2(0.3, 1.5), Vector2(0.55, 1.5), Vector2(0.75, 1.5), Vector2(0.93, 1.5)]
+		return [Vector2(0.0, 2.0)]
+	return [Vector2(0.5, 1.2), Vector2(0.75, 1.2), Vector2(0.93, 1.2)]
 
 
 func _mean_luminance() -> float:

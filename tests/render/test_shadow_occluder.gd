@@ -55,20 +55,20 @@ func test_a_hole_that_vanishes_hides_less() -> void:
 	await _judge(view, half, "half a hole")
 	_booth.sky.lensing = 0.0
 	var picture := await _booth.take()
-	assert_gt(picture.get_pixelv(picture.get_size() / 2).g, 0.9, "none")
+	assert_gt(picture.get_pixelv(_middle_of(picture.get_size())).g, 0.9, "none")
 
 
 func test_what_is_nearer_than_the_hole_is_seen() -> void:
 	var view := _view([LensingTable.MOTION_STATIC, 6.0])
 	_put_ball(view, 4.5, 0.4)
 	var picture := await _booth.take()
-	assert_gt(picture.get_pixelv(view.size / 2).g, 0.9)
+	assert_gt(picture.get_pixelv(_middle_of(view.size)).g, 0.9)
 	_put_ball(view, 9.0, 0.4)
 	picture = await _booth.take()
-	assert_eq(picture.get_pixelv(view.size / 2).g, 0.0)
+	assert_eq(picture.get_pixelv(_middle_of(view.size)).g, 0.0)
 	_occluder.hide()
 	picture = await _booth.take()
-	assert_gt(picture.get_pixelv(view.size / 2).g, 0.9, "the occluder has hidden it")
+	assert_gt(picture.get_pixelv(_middle_of(view.size)).g, 0.9, "the occluder has hidden it")
 
 
 func test_transparent_things_behind_are_hidden_as_well() -> void:
@@ -76,10 +76,10 @@ func test_transparent_things_behind_are_hidden_as_well() -> void:
 	_ball.material_override = _material(Color(1.0, 1.0, 1.0, 0.5))
 	_put_ball(view, 9.0, 0.4)
 	var picture := await _booth.take()
-	assert_eq(picture.get_pixelv(view.size / 2).g, 0.0)
+	assert_eq(picture.get_pixelv(_middle_of(view.size)).g, 0.0)
 	_put_ball(view, 4.5, 0.4)
 	picture = await _booth.take()
-	assert_gt(picture.get_pixelv(view.size / 2).g, 0.2)
+	assert_gt(picture.get_pixelv(_middle_of(view.size)).g, 0.2)
 
 
 func test_the_disk_before_and_in_the_shadow_stays() -> void:
@@ -97,8 +97,9 @@ func test_the_disk_before_and_in_the_shadow_stays() -> void:
 	assert_eq(with_occluder.get_data(), without.get_data())
 	var lit := 0
 	var across := floori(view.focal() * tan(view.shadow_half_angle()))
-	for x in range(view.size.x / 2 - across, view.size.x / 2 + across):
-		for y in range(view.size.y / 2, view.size.y / 2 + across / 2):
+	var middle := _middle_of(view.size)
+	for x in range(middle.x - across, middle.x + across):
+		for y in range(middle.y, middle.y + (across >> 1)):
 			lit += 1 if without.get_pixel(x, y).g > 0.01 else 0
 	assert_gt(lit, 500, "pixels of gas before the shadow")
 
@@ -171,3 +172,7 @@ func _judge(view: ExactView, half_angle: float, what: String) -> void:
 	assert_gt(inside, 100, "%s: pixels of the shadow" % what)
 	assert_gt(outside, 100, "%s: pixels beside it" % what)
 	assert_eq(wrong, 0, "%s: pixels that are wrong" % what)
+
+
+func _middle_of(size: Vector2i) -> Vector2i:
+	return Vector2i(size.x >> 1, size.y >> 1)

@@ -98,14 +98,16 @@ func test_words_stand_out_before_any_sky() -> void:
 			var values := _luminances(picture, _frame_of(row))
 			var ground := values[values.size() >> 1]
 			# The brightest or darkest hundredth is what the words are drawn with.
-			var ink := values[-1 - values.size() / 100]
+			var ink := values[-1 - floori(values.size() / 100.0)]
 			if row.lit and not row.disabled:
-				ink = values[values.size() / 100]
+				ink = values[floori(values.size() / 100.0)]
 			assert_gt(_contrast(ink, ground), LEAST_CONTRAST, "%s on %s" % [row.words, background])
 		for node: String in ["%Title", "%Foot"]:
 			var label: Label = _booth.menu.sheet.get_node(node)
 			var values := _luminances(picture, _frame_of(label))
-			var contrast := _contrast(values[-1 - values.size() / 200], values[values.size() >> 1])
+			var contrast := _contrast(
+				values[-1 - floori(values.size() / 200.0)], values[values.size() >> 1]
+			)
 			assert_gt(contrast, LEAST_CONTRAST, "%s on %s" % [label.text, background])
 
 

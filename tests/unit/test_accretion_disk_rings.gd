@@ -20,7 +20,8 @@ func test_others_are_refused(
 	p: Array = use_parameters([[[1.0]], [[3.0, NAN]], [[INF]], [[2, 3, 4, 5, 6, 7, 8, 9, 10]]])
 ) -> void:
 	_disk.ring_radii = [3.0, 6.0]
-	_disk.ring_radii = PackedFloat32Array(p[0] as Array)
+	var radii: Array = p[0]
+	_disk.ring_radii = PackedFloat32Array(radii)
 	assert_push_warning("ring_radii")
 	assert_eq(_disk.ring_radii, PackedFloat32Array([3.0, 6.0]))
 

@@ -70,9 +70,8 @@ func test_both_sides_of_the_plane_see_alike() -> void:
 			if above.has("radius"):
 				assert_almost_eq(above["radius"], below["radius"], 1e-5)
 				assert_almost_eq(above["radius"], turned["radius"], 1e-9)
-				assert_almost_eq(
-					above["position"], below["position"] as Vector3, Vector3.ONE * 1e-4
-				)
+				var from_below: Vector3 = below["position"]
+				assert_almost_eq(above["position"], from_below, Vector3.ONE * 1e-4)
 
 
 ## Also where rounding has put the observer a little off.

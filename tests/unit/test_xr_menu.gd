@@ -149,13 +149,13 @@ func _reach_all(reach: Callable) -> void:
 			var chosen: int = get_signal_emit_count(_booth.menu, "chosen")
 			reach.call(row)
 			await _booth.settle()
-			var name := "%s, %d" % [page, at]
+			var which := "%s, %d" % [page, at]
 			var was_asked: int = get_signal_emit_count(_booth.pages, "asked") - asked
-			assert_lte(was_asked, 1, name)
-			assert_true(was_asked == 1 or _state() != before, name + " does something")
+			assert_lte(was_asked, 1, which)
+			assert_true(was_asked == 1 or _state() != before, which + " does something")
 			if item != null and item.kind != MenuItem.Kind.PAGE:
-				assert_eq(get_signal_emit_count(_booth.menu, "chosen"), chosen + 1, name)
-				assert_eq(_booth.menu.is_open(), not item.closes, name)
+				assert_eq(get_signal_emit_count(_booth.menu, "chosen"), chosen + 1, which)
+				assert_eq(_booth.menu.is_open(), not item.closes, which)
 
 
 func test_other_parts_are_asked_by_name() -> void:
@@ -223,11 +223,11 @@ func test_the_menu_speaks_another_language_at_once() -> void:
 	await _booth.show_page(VisitPages.LANGUAGE)
 	var german := _row(&"language_de")
 	assert_eq(german.words, "Deutsch")
-	assert_false(german.value as bool)
+	assert_false(german.value == true)
 	_booth.press_at(_booth.place_of(german))
 	await _booth.settle()
-	assert_true(german.value as bool)
-	assert_false(_row(&"language_en").value as bool)
+	assert_true(german.value == true)
+	assert_false(_row(&"language_en").value == true)
 	assert_eq((_booth.menu.sheet.get_node("%Title") as Label).text, "Sprache")
 	assert_string_contains(_booth.rows()[0].words, "Zurück")
 
@@ -252,7 +252,7 @@ func test_comfort_goes_by_presets_and_by_its_parts() -> void:
 	assert_gt(comfort.vignette, 0.0)
 	var seen: PackedStringArray = []
 	for i in 3:
-		seen.append(_row(&"depth").item.get_value() as String)
+		seen.append(str(_row(&"depth").item.get_value()))
 		_row(&"depth").item.act()
 	assert_eq(seen, PackedStringArray(["25 %", "50 %", "100 %"]))
 

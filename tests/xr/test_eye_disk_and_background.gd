@@ -4,6 +4,8 @@ extends XrTestCase
 ## them stand in both pictures where the exact solution puts them for that eye, and nowhere else.
 
 const TOLERANCE_PX: float = 0.15
+## The background's edge is one of a picture of limited sharpness.
+const BACKGROUND_TOLERANCE_PX: float = 0.25
 const RADIUS: float = 0.3
 const INNER: float = 3.0
 const OUTER: float = 6.0
@@ -62,7 +64,9 @@ func _expect_edges(
 		)
 	)
 	assert_gte(edges.size(), 8, "%s: places measured" % what)
-	assert_lt(worst, TOLERANCE_PX, "%s: worst place" % what)
+	var of_disk := measure.get_method() == &"_disk_side"
+	var tolerance := TOLERANCE_PX if of_disk else BACKGROUND_TOLERANCE_PX
+	assert_lt(worst, tolerance, "%s: worst place" % what)
 	# The test sees whose place it is: from another the edges would stand elsewhere.
 	assert_gt(from_other, 8.0 * TOLERANCE_PX, "%s: other eye" % what)
 	assert_gt(from_middle, 4.0 * TOLERANCE_PX, "%s: middle of the head" % what)
@@ -122,7 +126,8 @@ func _disk_side(place: Vector3, direction: Vector3) -> float:
 	var radius: float = point["radius"] if point["reached"] else 0.0
 	if radius < INNER or radius > OUTER:
 		return NAN
-	var seen: Vector3 = disk.basis.inverse() * (point["place"] as Vector3)
+	var towards: Vector3 = point["place"]
+	var seen: Vector3 = disk.basis.inverse() * towards
 	var azimuth := atan2(-seen.z, seen.x)
 	return sin(PI * (radius - INNER)) * sin(0.5 * SECTORS * azimuth)
 

@@ -169,8 +169,9 @@ func _flown(hand: SimulatedHand, grip: float) -> float:
 	var from := log(rig.get_radius())
 	var seconds := 0.0
 	while seconds < 0.8:
-		await get_tree().process_frame
+		# The nodes move by it after this signal.
 		seconds += minf(get_process_delta_time(), 0.1)
+		await get_tree().process_frame
 	var rate := (log(rig.get_radius()) - from) / seconds
 	hand.grip = 0.0
 	await _push(hand, Vector2.ZERO)

@@ -14,8 +14,6 @@ const GROWTH_MB: float = 2.0
 const FAINTEST: float = 3.0
 
 var _frame: int = 0
-var _least_mb: float = INF
-var _last_mb: float = 0.0
 
 
 func test_a_long_visit() -> void:
@@ -33,7 +31,7 @@ func test_a_long_visit() -> void:
 	var errors := get_errors().size()
 	var start_mb := 0.0
 	while _frame < frames:
-		_act(_frame % ROUND, _frame / ROUND)
+		_act(_frame % ROUND, floori(float(_frame) / ROUND))
 		visit.headset.send()
 		await get_tree().process_frame
 		_frame += 1

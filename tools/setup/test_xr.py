@@ -21,6 +21,14 @@ class Arguments(unittest.TestCase):
             with self.subTest(arguments):
                 self.assertEqual(xr.parse(arguments), expected)
 
+    def test_a_strip(self) -> None:
+        self.assertIsNone(xr.strip_folder([]))
+        self.assertIsNone(xr.strip_folder(["--simulated"]))
+        self.assertEqual(xr.strip_folder(["--strip", "out"]), Path.cwd() / "out")
+        for arguments in (["--strip"], ["--strip", "out", "more"]):
+            with self.subTest(arguments), self.assertRaisesRegex(Failure, "usage:"):
+                xr.strip_folder(arguments)
+
     def test_wrong_ones(self) -> None:
         for arguments in (["fast"], ["--simulate"], ["--simulated", "fast"]):
             with self.subTest(arguments), self.assertRaisesRegex(Failure, "usage:") as caught:

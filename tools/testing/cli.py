@@ -47,6 +47,8 @@ STAGES = [
     Stage("lint", "clang-tidy, gdlint, shellcheck", style.lint_stage),
     Stage("cpp", "GoogleTest on the physics", programs.cpp_stage),
     Stage("scripts", "scripts, scenes and shaders load without a warning", scripts.scripts_stage),
+    # The longest first: those beside each other then end together.
+    Stage("xr", "the headset scene on a simulated headset", xr_tests.stage, beside=True),
     Stage("provider", "the binding provider under the address sanitizer", programs.provider_stage, beside=True),
     Stage("python", "unit tests of the tools", programs.python_stage, beside=True),
     Stage("gut", "GUT tests of the Godot classes", programs.gut_stage, beside=True),
@@ -57,7 +59,6 @@ STAGES = [
         )
         for renderer in session.RENDERERS
     ),
-    Stage("xr", "the headset scene on a simulated headset", xr_tests.stage),
     Stage("commands", "./run as a visitor uses it", programs.commands_stage),
 ]
 

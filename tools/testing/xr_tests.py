@@ -19,7 +19,7 @@ from testing.junit import Case
 # Each needs a process of its own: after a runtime's death there is no headset any more.
 _FOLDERS = ("tests/xr", "tests/xr/lost")
 _RENDERER = "mobile"
-_FOCUS = "xr: in focus"
+_FOCUS, _SAME_PLACE = "xr: in focus", "xr: back at the same place"
 _NONE, _DIES = "start without a runtime", "a runtime that dies and comes back under ./run xr"
 _MOST_LINES = 3000  # of a process whose runtime died
 
@@ -100,6 +100,7 @@ def _supervised(context: Context, headset: SimulatedHeadset) -> Case:
 def _die_and_return(log: Path, headset: SimulatedHeadset) -> str:
     if not _appears(log, _FOCUS, 1, 60.0):
         return f"the scene did not come into focus. The end of {log}:\n{tail(log)}"
+    time.sleep(2.0)  # the hole is put into the room
     headset.kill()
     if not _appears(log, "xr: out of focus", 1, 5.0):
         return "the runtime's death was not noticed within 5 s"
@@ -111,6 +112,8 @@ def _die_and_return(log: Path, headset: SimulatedHeadset) -> str:
     took = time.monotonic() - back
     if took > 10.0:
         return f"in focus again only {took:.1f} s after the runtime was back"
+    if not _appears(log, _SAME_PLACE, 1, 10.0):
+        return "the visitor is not at the same place as before"
     lines = log.read_text(encoding="utf-8", errors="replace").count("\n")
     return f"the log has {lines} lines" if lines > _MOST_LINES else ""
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 class_name BrightnessLimit
 extends Node
-## Keeps the sky from blinding: where the observer's motion and depth make a good part of it brighter
-## than `allowed_ev` over the sky far away, the exposure is taken back, gently.
+## Keeps the sky from blinding: where the observer's motion and depth make a good part of it
+## brighter than `allowed_ev` over the sky far away, the exposure is taken back, gently.
 ##
 ## A direction's gain is g^4, the frequency ratio's power by which the light of a piece of sky grows
 ## (surface brightness over frequency cubed is the same for all observers). A thin bright ring round

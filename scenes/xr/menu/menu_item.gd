@@ -82,7 +82,8 @@ func get_value() -> Variant:
 
 ## Why it cannot be chosen now; empty: it can.
 func get_refusal() -> String:
-	return _refusal.call() as String if _refusal.is_valid() else ""
+	var refusal: String = _refusal.call() if _refusal.is_valid() else ""
+	return refusal
 
 
 ## Does what it is there for.

@@ -73,9 +73,9 @@ func _draw() -> void:
 	_write(words, _margin(), colour)
 	var right := size.x - _margin() - (0.3 * em if _is_page() else _right_width())
 	if value is String:
-		_write(value as String, right, colour if disabled or lit else MenuLook.ACCENT)
+		_write(str(value), right, colour if disabled or lit else MenuLook.ACCENT)
 	elif _is_switch():
-		_draw_switch(Vector2(right, 0.5 * size.y), value as bool, colour)
+		_draw_switch(Vector2(right, 0.5 * size.y), value == true, colour)
 	elif value is bool and value:
 		_draw_mark(Vector2(right, 0.5 * size.y), colour if disabled or lit else MenuLook.ACCENT)
 	elif _is_page():
@@ -98,7 +98,7 @@ func _margin() -> float:
 
 func _right_width() -> float:
 	if value is String:
-		return _width_of(value as String)
+		return _width_of(str(value))
 	if _is_switch():
 		return 1.5 * em
 	if value is bool and value:
@@ -112,14 +112,14 @@ func _font() -> Font:
 	return get_theme_default_font()
 
 
-func _width_of(text: String) -> float:
-	return _font().get_string_size(text, HORIZONTAL_ALIGNMENT_LEFT, -1.0, em).x
+func _width_of(written: String) -> float:
+	return _font().get_string_size(written, HORIZONTAL_ALIGNMENT_LEFT, -1.0, em).x
 
 
-func _write(text: String, x: float, colour: Color) -> void:
+func _write(written: String, x: float, colour: Color) -> void:
 	var middle := 0.5 * (_font().get_ascent(em) - _font().get_descent(em))
 	var at := Vector2(x, 0.5 * size.y + middle)
-	draw_string(_font(), at, text, HORIZONTAL_ALIGNMENT_LEFT, -1.0, em, colour)
+	draw_string(_font(), at, written, HORIZONTAL_ALIGNMENT_LEFT, -1.0, em, colour)
 
 
 func _draw_switch(from: Vector2, is_on: bool, colour: Color) -> void:

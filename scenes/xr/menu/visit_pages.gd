@@ -202,7 +202,8 @@ func _state(id: StringName) -> Variant:
 
 
 func _refusal(id: StringName) -> String:
-	return refusals[id].call() as String if refusals.has(id) else ""
+	var refusal: String = refusals[id].call() if refusals.has(id) else ""
+	return refusal
 
 
 func _refusal_with_state(id: StringName) -> String:

@@ -84,7 +84,9 @@ func dwell_seconds() -> float:
 
 
 func what_is_pointed_at() -> Variant:
-	return _aimed if _aimed >= 0 else null
+	if _aimed < 0:
+		return null
+	return _aimed
 
 
 func choose() -> bool:

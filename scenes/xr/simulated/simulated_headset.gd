@@ -15,8 +15,8 @@ const EYE_BYTES: int = 48
 ## Half the distance of the eyes, metres.
 const HALF_EYES: float = 0.0315
 ## The edges of each eye's field: left, right, up, down, radians; square pixels at 4 to 3.
-const LEFT_FIELD: PackedFloat32Array = [-0.75, 0.65, 0.5657, -0.5657]
-const RIGHT_FIELD: PackedFloat32Array = [-0.65, 0.75, 0.5657, -0.5657]
+const LEFT_FIELD: PackedFloat32Array = [-0.9, 0.8, 0.7095, -0.7095]
+const RIGHT_FIELD: PackedFloat32Array = [-0.8, 0.9, 0.7095, -0.7095]
 ## The variable that names the port.
 const PORT_VARIABLE: String = "BLACKHOLE_HEADSET_PORT"
 
