@@ -4,6 +4,8 @@ extends Node3D
 ## The hole as a thing in the visitor's room, seen with a headset; without one the desktop scene.
 
 const DESKTOP_SCENE: String = "res://scenes/desktop/desktop.tscn"
+## On the command line, after --: all of the picture is drawn equally finely.
+const NO_FOVEATION: String = "--no-foveation"
 ## So long the screen says that the headset is gone before the program starts again, seconds.
 const NOTICE_SECONDS: float = 1.5
 ## And between two looks whether it is back.
@@ -43,6 +45,7 @@ var _is_placed: bool = false
 @onready var spectator: Spectator = $Spectator
 @onready var quality: QualityLadder = $Quality
 @onready var switches: SkySwitches = $Switches
+@onready var _near_limit: NearLimit = $NearLimit
 @onready var _brightness: BrightnessLimit = $Brightness
 @onready var _pages: VisitPages = $Pages
 @onready var _choice: ObserverChoice = $Choice
@@ -54,6 +57,8 @@ var _is_placed: bool = false
 
 
 func _enter_tree() -> void:
+	if OS.get_cmdline_user_args().has(NO_FOVEATION):
+		($Session as XrSession).foveated = false
 	if StandaloneQuality.is_here():
 		StandaloneQuality.apply($Quality, $Session, $Spectator)
 
@@ -69,6 +74,7 @@ func _ready() -> void:
 	rides.ended.connect(_on_ride_ended)
 	rides.pause_changed.connect(_on_pause_changed)
 	rides.crossed_horizon.connect(_on_crossed_horizon)
+	_near_limit.crossed.connect(_on_too_near)
 	_choice.warned.connect(_on_warned)
 	rig.jumped.connect(_brightness.adapt_at_once)
 	for hand: XrHand in [left_hand, right_hand]:
@@ -156,6 +162,15 @@ func _on_menu_asked() -> void:
 
 func _on_warned(_topic: StringName, text: String) -> void:
 	_sign.say(text, 5.0)
+
+
+func _on_too_near(too_near: bool) -> void:
+	if too_near:
+		_sign.say(
+			tr("Nobody can rest so near the horizon. Step back, or take the ride that falls in.")
+		)
+	elif not rides.is_on():
+		_sign.clear()
 
 
 func _on_counted_down(seconds: int) -> void:

@@ -29,20 +29,6 @@ func _aim_at(place: Vector3) -> void:
 	visit.headset.send()
 
 
-func _photo() -> Array[Image]:
-	var compositor := Compositor.new()
-	var capture := EyeCapture.new()
-	compositor.compositor_effects = [capture]
-	visit.scene.head.compositor = compositor
-	await wait_process_frames(6)
-	watch_signals(capture)
-	capture.request()
-	await wait_for_signal(capture.taken, 10.0)
-	visit.scene.head.compositor = null
-	var emitted: Array = get_signal_parameters(capture, "taken")
-	return emitted[0] if emitted != null and not emitted.is_empty() else ([] as Array[Image])
-
-
 func test_a_hand_chooses_and_both_eyes_see_it() -> void:
 	if not await begun():
 		return
@@ -51,8 +37,7 @@ func test_a_hand_chooses_and_both_eyes_see_it() -> void:
 	var row := visit.scene.menu.sheet.get_rows()[2]
 	_aim_at(_place_of(row))
 	assert_true(await visit.settle(func() -> bool: return row.lit), "pointed at")
-	var pictures := await _photo()
-	assert_eq(pictures.size(), 2)
+	var pictures := await take_pictures()
 	for view in pictures.size():
 		var eye := EyeView.new(visit.scene, view, pictures[view].get_size())
 		# Beside its words and what is at its right.

@@ -20,17 +20,5 @@ func test_eyes_are_drawn_with_fewer_pixels() -> void:
 
 func _size_of_pictures(scale: float) -> Vector2i:
 	visit.scene.session.viewport.scaling_3d_scale = scale
-	var compositor := Compositor.new()
-	var capture := EyeCapture.new()
-	compositor.compositor_effects = [capture]
-	visit.scene.head.compositor = compositor
-	await wait_process_frames(4)
-	watch_signals(capture)
-	capture.request()
-	await wait_for_signal(capture.taken, 10.0)
-	visit.scene.head.compositor = null
-	var emitted: Array = get_signal_parameters(capture, "taken")
-	if emitted == null or emitted.is_empty():
-		return Vector2i.ZERO
-	var pictures: Array[Image] = emitted[0]
-	return pictures[0].get_size()
+	var pictures := await take_pictures()
+	return pictures[0].get_size() if not pictures.is_empty() else Vector2i.ZERO

@@ -76,17 +76,7 @@ func _take() -> Array[Image]:
 	var eyes := Vector3(0.2, 1.5, 0.3)
 	assert_true(await visit.move_head(Transform3D(Basis.IDENTITY, eyes)), "head moved")
 	scene.sky.global_position = eyes + Vector3(0.0, 0.05, -1.0).normalized() * RADIUS * DISTANCE
-	var compositor := Compositor.new()
-	var capture := EyeCapture.new()
-	compositor.compositor_effects = [capture]
-	scene.head.compositor = compositor
-	await wait_process_frames(6)
-	watch_signals(capture)
-	capture.request()
-	await wait_for_signal(capture.taken, 10.0)
-	scene.head.compositor = null
-	var emitted: Array = get_signal_parameters(capture, "taken")
-	return emitted[0] if emitted != null and not emitted.is_empty() else ([] as Array[Image])
+	return await take_pictures()
 
 
 func _middle(eye: EyeView) -> Vector3:

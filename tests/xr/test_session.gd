@@ -34,3 +34,27 @@ func test_the_hole_stands_before_the_visitor() -> void:
 	var to_hole := scene.sky.global_position - scene.head.global_position
 	assert_almost_eq(to_hole.length() / scene.sky.schwarzschild_radius, HoleInRoom.WALK_RADII, 0.2)
 	assert_gt((-scene.head.global_basis.z).dot(to_hole.normalized()), 0.9, "ahead")
+
+
+func test_who_walks_too_near_is_told_why_it_goes_dark() -> void:
+	if not await begun():
+		return
+	var scene := visit.scene
+	scene.sky.visible = false
+	var words: VisitSign = scene.get_node(^"Headset/Origin/Sign")
+	assert_true(await visit.settle(scene.has_started))
+	var away := scene.head.global_position
+	var near := scene.sky.global_position + (away - scene.sky.global_position) * 0.3  # r = 1.5
+	assert_true(await visit.move_head(Transform3D(Basis.IDENTITY, near)))
+	assert_true(await visit.settle(func() -> bool: return words.visible), "told")
+	assert_string_contains(words.get_words(), "Step back")
+	var curtain: Curtain = scene.head.get_node(^"Curtain")
+	assert_gt(curtain.get_darkness(), 0.5, "dark")
+	assert_gt(
+		words.material_override.render_priority,
+		curtain.material_override.render_priority,
+		"legible"
+	)
+	assert_true(await visit.move_head(Transform3D(Basis.IDENTITY, away)))
+	assert_true(await visit.settle(func() -> bool: return not words.visible), "and no longer")
+	assert_eq(curtain.get_darkness(), 0.0)

@@ -21,6 +21,7 @@ _FOLDERS = ("tests/xr", "tests/xr/lost")
 _RENDERER = "mobile"
 _FOCUS, _SAME_PLACE = "xr: in focus", "xr: back at the same place"
 _NONE, _DIES = "start without a runtime", "a runtime that dies and comes back under ./run xr"
+_PLAIN_S, _LONG_S = 900, 3000  # a long visit has 600 frames or 10,000
 _MOST_LINES = 3000  # of a process whose runtime died
 
 
@@ -45,7 +46,8 @@ def _gut(context: Context, folder: str, environment: Mapping[str, str]) -> list[
     name = folder.replace("/", "-")
     options = ["-s", "addons/gut/gut_cmdln.gd", "-gconfig=", f"-gdir=res://{folder}", "-gexit"]
     command = _command(context, [*options, f"-gjunit_xml_file={result_file(name)}"])
-    return run_for_junit(command, name, 300, environment) + scripts_left_out(name, folder, deep=False)
+    timeout_s = _LONG_S if context.all_variants else _PLAIN_S
+    return run_for_junit(command, name, timeout_s, environment) + scripts_left_out(name, folder, deep=False)
 
 
 def _without_runtime(context: Context) -> Case:

@@ -27,7 +27,7 @@ func _init() -> void:
 	_material.transparency = BaseMaterial3D.TRANSPARENCY_ALPHA
 	_material.blend_mode = BaseMaterial3D.BLEND_MODE_ADD
 	_material.disable_fog = true
-	_material.render_priority = Material.RENDER_PRIORITY_MAX - 2
+	_material.render_priority = Material.RENDER_PRIORITY_MAX - 3
 	mesh = _globe()
 	material_override = _material
 	cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_OFF

@@ -21,7 +21,7 @@ func _init() -> void:
 	quad.size = Vector2(2.0, 2.0)
 	mesh = quad
 	_material.shader = SHADER
-	_material.render_priority = Material.RENDER_PRIORITY_MAX - 1
+	_material.render_priority = Material.RENDER_PRIORITY_MAX - 2
 	material_override = _material
 	custom_aabb = AABB(Vector3.ONE * -1e4, Vector3.ONE * 2e4)
 	cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_OFF

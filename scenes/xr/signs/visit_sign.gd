@@ -17,6 +17,8 @@ var _left: float = 0.0
 
 func _ready() -> void:
 	super()
+	# Over the veils as well: it may have to say why it is dark.
+	material_override.render_priority = Material.RENDER_PRIORITY_MAX
 	visible = false
 
 
