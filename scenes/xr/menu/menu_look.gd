@@ -4,7 +4,7 @@ extends RefCounted
 ## Colours of the menu and how its boxes are drawn.
 
 ## So dark and dense that words can be read before the brightest sky.
-const PANEL := Color(0.024, 0.032, 0.056, 0.97)
+const PANEL := Color(0.024, 0.032, 0.056, 0.995)
 const RIM := Color(0.62, 0.74, 1.0, 0.22)
 const BOX := Color(0.105, 0.13, 0.19)
 const TEXT := Color(0.92, 0.95, 1.0)
