@@ -13,9 +13,6 @@ var _viewport := SubViewport.new()
 var _origin := XROrigin3D.new()
 var _head := XRCamera3D.new()
 var _session := XrSession.new()
-var _compositor := Compositor.new()
-var _eyes := EyeCapture.new()
-var _taken: Array[Image] = []
 
 
 func _init() -> void:
@@ -23,13 +20,11 @@ func _init() -> void:
 	_origin.current = true
 	_head.near = 0.01
 	_head.current = true
-	_compositor.compositor_effects = [_eyes]
 	_session.viewport = _viewport
 	_origin.add_child(_head)
 	_viewport.add_child(_origin)
 	add_child(_viewport)
 	add_child(_session)
-	_eyes.taken.connect(_on_taken)
 
 
 ## Opens the session; returns why there is none, or nothing.
@@ -50,30 +45,16 @@ func open(world: World3D) -> String:
 ## the runtime gives none.
 func take(eye: Transform3D, far: float) -> Image:
 	_head.far = far
-	_head.compositor = _compositor
-	_taken.clear()
 	# The first frames compile what they draw with.
 	for frame in ShotStage.WARM_UP_FRAMES:
 		_origin.global_transform = eye * _session.get_head_pose().affine_inverse()
 		await RenderingServer.frame_post_draw
-	_eyes.request()
-	if not await _until(func() -> bool: return _taken.size() == 2):
-		return null
-	_head.compositor = null
-	return _side_by_side(_taken[0], _taken[1])
+	var pictures := await EyeCapture.take(_head, PATIENCE_SECONDS)
+	return _side_by_side(pictures[0], pictures[1]) if pictures.size() == 2 else null
 
 
 func _until(is_so: Callable) -> bool:
-	var end := Time.get_ticks_msec() + roundi(PATIENCE_SECONDS * 1000.0)
-	while Time.get_ticks_msec() < end:
-		if is_so.call():
-			return true
-		await get_tree().process_frame
-	return false
-
-
-func _on_taken(pictures: Array[Image]) -> void:
-	_taken = pictures
+	return await Waiting.until(get_tree(), is_so, PATIENCE_SECONDS)
 
 
 static func _side_by_side(left: Image, right: Image) -> Image:

@@ -42,19 +42,8 @@ func move_head(pose: Transform3D) -> void:
 
 ## What both eyes are shown, left first.
 func take_pictures() -> Array[Image]:
-	var compositor := Compositor.new()
-	var capture := EyeCapture.new()
-	compositor.compositor_effects = [capture]
-	visit.scene.head.compositor = compositor
 	await wait_process_frames(6)
-	watch_signals(capture)
-	capture.request()
-	await wait_for_signal(capture.taken, 10.0)
-	visit.scene.head.compositor = null
-	var emitted: Array = get_signal_parameters(capture, "taken")
-	var pictures: Array[Image] = []
-	if emitted != null and not emitted.is_empty():
-		pictures = emitted[0]
+	var pictures := await EyeCapture.take(visit.scene.head, 10.0)
 	assert_eq(pictures.size(), 2, "a picture for each eye")
 	return pictures
 

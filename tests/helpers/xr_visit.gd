@@ -46,12 +46,7 @@ func move_head(pose: Transform3D) -> bool:
 
 ## Waits until `is_so` returns true; false after PATIENCE_SECONDS.
 func settle(is_so: Callable, seconds: float = PATIENCE_SECONDS) -> bool:
-	var until := Time.get_ticks_msec() + roundi(seconds * 1000.0)
-	while Time.get_ticks_msec() < until:
-		if is_so.call():
-			return true
-		await get_tree().process_frame
-	return false
+	return await Waiting.until(get_tree(), is_so, seconds)
 
 
 func _is_near(pose: Transform3D, wanted: Transform3D) -> bool:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-extends GutTest
+extends MenuCase
 ## The menu as an eye sees it: words as large as they should be, and in contrast to their ground
 ## whatever sky is behind.
 ##
@@ -12,27 +12,14 @@ var _viewport: SubViewport
 var _camera: Camera3D
 var _world: Environment
 var _booth: MenuBooth
-var _locale: String
-var _languages: Languages
 
 @warning_ignore("untyped_declaration")
 func should_skip_script():
 	return RendererScope.mobile_alone()
 
 
-func before_all() -> void:
-	_locale = TranslationServer.get_locale()
-	_languages = Languages.new()
-	add_child(_languages)
-
-
-func after_all() -> void:
-	_languages.free()
-	TranslationServer.set_locale(_locale)
-
-
 func before_each() -> void:
-	TranslationServer.set_locale("en")
+	super()
 	_viewport = SubViewport.new()
 	_viewport.own_world_3d = true
 	_viewport.size = Vector2i(640, 480)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-extends GutTest
+extends MenuCase
 ## The menu in the headset: each line can be reached with a hand and by looking, does what it says,
 ## and can be read in every language.
 
@@ -7,23 +7,10 @@ extends GutTest
 const LEAST_EM: float = 2.6
 
 var _booth: MenuBooth
-var _locale: String
-var _languages: Languages
-
-
-func before_all() -> void:
-	_locale = TranslationServer.get_locale()
-	_languages = Languages.new()
-	add_child(_languages)
-
-
-func after_all() -> void:
-	_languages.free()
-	TranslationServer.set_locale(_locale)
 
 
 func before_each() -> void:
-	TranslationServer.set_locale("en")
+	super()
 	_booth = MenuBooth.new()
 	add_child_autofree(_booth)
 
@@ -70,7 +57,7 @@ func test_it_opens_before_one_who_looks_straight_down() -> void:
 	for pitch: float in [-0.5 * PI, -0.49 * PI, 0.5 * PI]:
 		var yaw := Basis(Vector3.UP, 2.0)
 		assert_almost_eq(
-			XrMenu.backwards(yaw * Basis(Vector3.RIGHT, pitch)), yaw.z, Vector3.ONE * 1e-4
+			XrRig.backwards(yaw * Basis(Vector3.RIGHT, pitch)), yaw.z, Vector3.ONE * 1e-4
 		)
 
 

@@ -7,6 +7,7 @@ import json
 import re
 import tempfile
 from collections.abc import Callable
+from contextlib import nullcontext
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -43,11 +44,8 @@ def run(arguments: list[str]) -> int:
     failures = []
     for (renderer, in_headset), group in grouped.items():
         try:
-            if in_headset:
-                with SimulatedHeadset(monado.find(godot)) as headset:
-                    _draw(godot, renderer, group, base, headset)
-            else:
-                _draw(godot, renderer, group, base, None)
+            with SimulatedHeadset(monado.find(godot)) if in_headset else nullcontext() as headset:
+                _draw(godot, renderer, group, base, headset)
         except Failure as failure:
             failures.append(failure)
     if failures:

@@ -47,7 +47,7 @@ STAGES = [
     Stage("lint", "clang-tidy, gdlint, shellcheck", style.lint_stage),
     Stage("cpp", "GoogleTest on the physics", programs.cpp_stage),
     Stage("scripts", "scripts, scenes and shaders load without a warning", scripts.scripts_stage),
-    # The longest first: those beside each other then end together.
+    # First of those beside each other: it takes long and leaves the processors idle between its pictures.
     Stage("xr", "the headset scene on a simulated headset", xr_tests.stage, beside=True),
     Stage("provider", "the binding provider under the address sanitizer", programs.provider_stage, beside=True),
     Stage("python", "unit tests of the tools", programs.python_stage, beside=True),

@@ -48,6 +48,7 @@ var resting: bool = false:
 
 var _kind: ObserverKind.Kind = ObserverKind.Kind.STATIC
 var _chosen: SkyObserver
+var _resting_observer := SkyObserver.new()
 
 
 ## What is chosen. Follows a motion that was set at the sky itself.
@@ -86,7 +87,7 @@ func choose_next(place: Vector3, up: Vector3) -> void:
 func watch(place: Vector3) -> void:
 	if resting:
 		return
-	var observer := sky.observer if sky.observer != null else SkyObserver.new()
+	var observer := sky.observer if sky.observer != null else _resting_observer
 	if not _exists(observer, place):
 		_fall_back(ObserverKind.refusal(get_kind(), _radius(place), observer.energy), place)
 

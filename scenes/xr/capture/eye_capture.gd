@@ -4,7 +4,7 @@ extends CompositorEffect
 ## Copies what each eye of a headset is shown: the engine draws it into the runtime's own pictures,
 ## so that the viewport's texture stays black. For the renderers Mobile and Forward+.
 ##
-## Put it into a Compositor of the XR camera's World3D, ask with `request()` and wait for `taken`.
+## take() does it all; or put it into a Compositor of the camera, request() and wait for `taken`.
 
 ## Both pictures, left first, linear light as the renderer has it.
 signal taken(pictures: Array[Image])
@@ -49,6 +49,20 @@ func _notification(what: int) -> void:
 func request() -> void:
 	_pictures.clear()
 	_wanted = true
+
+
+## What both eyes of `head` are shown, left first; nothing when it does not come within `seconds`.
+static func take(head: XRCamera3D, seconds: float) -> Array[Image]:
+	var capture := new()
+	var pictures: Array[Image] = []
+	capture.taken.connect(func(both: Array[Image]) -> void: pictures.assign(both))
+	var before := head.compositor
+	head.compositor = Compositor.new()
+	head.compositor.compositor_effects = [capture]
+	capture.request()
+	await Waiting.until(head.get_tree(), func() -> bool: return not pictures.is_empty(), seconds)
+	head.compositor = before
+	return pictures
 
 
 ## Works on the rendering thread.

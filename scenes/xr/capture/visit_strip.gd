@@ -25,10 +25,7 @@ const ORBIT_SECONDS: PackedFloat32Array = [0.5, 4.0, 8.0]
 
 var _folder: String
 var _headset := SimulatedHeadset.new()
-var _eyes := EyeCapture.new()
-var _compositor := Compositor.new()
 var _encoder := DisplayEncoder.new()
-var _taken: Array[Image] = []
 var _all: Array[Image] = []
 
 
@@ -42,8 +39,6 @@ static func folder_from(arguments: PackedStringArray) -> String:
 func walk(folder: String) -> void:
 	_folder = folder
 	DirAccess.make_dir_recursive_absolute(folder)
-	_compositor.compositor_effects = [_eyes]
-	_eyes.taken.connect(_on_taken)
 	add_child(_encoder)
 	scene.quality.enabled = false
 	scene.spectator.mode = Spectator.Mode.OFF
@@ -154,15 +149,11 @@ func _has_come(seconds: float) -> bool:
 # Keeps what the left eye sees now.
 func _keep(picture_name: String) -> void:
 	await _pause(0.3)
-	_taken.clear()
-	scene.head.compositor = _compositor
-	_eyes.request()
-	await _until(func() -> bool: return not _taken.is_empty())
-	scene.head.compositor = null
-	if _taken.is_empty():
+	var taken := await EyeCapture.take(scene.head, PATIENCE_SECONDS)
+	if taken.is_empty():
 		printerr("xr: the runtime gave no picture of %s." % picture_name)
 		return
-	var picture := await _encoder.encode(_taken[0])
+	var picture := await _encoder.encode(taken[0])
 	var file := _folder.path_join("%02d_%s.png" % [_all.size() + 1, picture_name])
 	if picture.save_png(file) != OK:
 		printerr("xr: %s cannot be written. Check folder and disk." % file)
@@ -218,13 +209,4 @@ func _pause(seconds: float) -> void:
 
 
 func _until(is_so: Callable) -> bool:
-	var end := Time.get_ticks_msec() + roundi(PATIENCE_SECONDS * 1000.0)
-	while Time.get_ticks_msec() < end:
-		if is_so.call():
-			return true
-		await get_tree().process_frame
-	return false
-
-
-func _on_taken(pictures: Array[Image]) -> void:
-	_taken = pictures
+	return await Waiting.until(get_tree(), is_so, PATIENCE_SECONDS)

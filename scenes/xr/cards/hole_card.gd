@@ -70,16 +70,7 @@ func get_size() -> Vector2:
 
 
 func distance_along(from: Vector3, direction: Vector3) -> float:
-	if not is_visible_in_tree():
-		return INF
-	var to_card := global_transform.affine_inverse()
-	var start := to_card * from
-	var way := to_card.basis * direction
-	if way.z > -1e-9 or start.z < 0.0:
-		return INF
-	var steps := -start.z / way.z
-	var hit := start + way * steps
-	return steps if absf(hit.x) <= 0.5 * _size.x and absf(hit.y) <= 0.5 * _size.y else INF
+	return distance_to_flat(from, direction, _size) if is_visible_in_tree() else INF
 
 
 func point_at(_place: Vector3) -> void:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 class_name Vignette
-extends MeshInstance3D
+extends Veil
 ## Closes the field of view in while the visitor is moved: what flows past at the edge of sight is
-## what makes sick. Child of the camera.
+## what makes sick.
 
 const SHADER: Shader = preload("res://scenes/xr/comfort/vignette.gdshader")
 ## Seconds in which it closes, and opens again.
@@ -13,20 +13,10 @@ const OPENING_SECONDS: float = 0.5
 @export var comfort: Comfort
 
 var _closing: float = 0.0
-var _material := ShaderMaterial.new()
 
 
 func _init() -> void:
-	var quad := QuadMesh.new()
-	quad.size = Vector2(2.0, 2.0)
-	mesh = quad
-	_material.shader = SHADER
-	_material.render_priority = Material.RENDER_PRIORITY_MAX - 2
-	material_override = _material
-	custom_aabb = AABB(Vector3.ONE * -1e4, Vector3.ONE * 2e4)
-	cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_OFF
-	layers = 2  # for the visitor alone
-	visible = false
+	super(SHADER, Material.RENDER_PRIORITY_MAX - 2)
 
 
 func _process(delta: float) -> void:

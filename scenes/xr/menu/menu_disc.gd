@@ -51,7 +51,7 @@ func _notification(what: int) -> void:
 
 func _process(delta: float) -> void:
 	var pose := _head_in_room()
-	var back := XrMenu.backwards(pose.basis)
+	var back := XrRig.backwards(pose.basis)
 	var bearing := atan2(back.x, back.z)
 	if is_nan(_bearing):
 		_bearing = bearing
@@ -65,15 +65,7 @@ func _process(delta: float) -> void:
 
 
 func distance_along(from: Vector3, direction: Vector3) -> float:
-	var normal := global_basis.z.normalized()
-	var towards := direction.dot(normal)
-	if towards > -1e-4:
-		return INF
-	var along := (global_position - from).dot(normal) / towards
-	var place := to_local(from + direction * along)
-	var half := 0.5 * picture.get_extent()
-	var hit := along > 0.0 and absf(place.x) <= half.x and absf(place.y) <= half.y
-	return along if hit else INF
+	return distance_to_flat(from, direction, picture.get_extent())
 
 
 func point_at(_place: Vector3) -> void:

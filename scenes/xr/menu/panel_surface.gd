@@ -65,16 +65,7 @@ func hold_back() -> void:
 
 
 func distance_along(from: Vector3, direction: Vector3) -> float:
-	var normal := global_basis.z.normalized()
-	var towards := direction.dot(normal)
-	if towards > -1e-4:
-		return INF
-	var distance := (global_position - from).dot(normal) / towards
-	if distance <= 0.0:
-		return INF
-	var half := 0.5 * picture.get_extent()
-	var place := to_local(from + direction * distance)
-	return distance if absf(place.x) <= half.x and absf(place.y) <= half.y else INF
+	return distance_to_flat(from, direction, picture.get_extent())
 
 
 func point_at(place: Vector3) -> void:

@@ -135,16 +135,6 @@ func get_em_metres() -> float:
 	return 2.0 * distance * tan(deg_to_rad(0.5 * text_degrees))
 
 
-## The level direction behind a head, length 1.
-static func backwards(head: Basis) -> Vector3:
-	var back := head.z
-	if Vector2(back.x, back.z).length() < 0.2:
-		# Who looks straight down has the top of the head ahead; straight up, behind.
-		back = -head.y * signf(head.z.y)
-	back.y = 0.0
-	return back.normalized() if back.length() > 1e-3 else Vector3.BACK
-
-
 func _metres() -> Vector2:
 	var half := Vector2(tan(deg_to_rad(0.5 * width_degrees)), tan(deg_to_rad(0.5 * height_degrees)))
 	return 2.0 * distance * half
@@ -165,7 +155,7 @@ func _stand_before(head_pose: Transform3D) -> void:
 	var head := head_pose
 	if room != null:
 		head = room.global_transform.affine_inverse() * head_pose
-	var back := backwards(head.basis)
+	var back := XrRig.backwards(head.basis)
 	var place := head.origin - back * distance
 	place.y -= distance * tan(deg_to_rad(lower_degrees))
 	transform = Transform3D(Basis(Vector3.UP.cross(back), Vector3.UP, back), place)

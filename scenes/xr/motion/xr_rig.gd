@@ -118,10 +118,22 @@ func set_room(room: Transform3D) -> void:
 
 ## Yaw of what is ahead of the head, radians to the left of -z.
 func get_yaw() -> float:
-	var ahead := -head.global_basis.z
-	if Vector2(ahead.x, ahead.z).length() < 0.2:  # looking up or down
-		ahead = head.global_basis.y * signf(ahead.y) * -1.0
-	return atan2(-ahead.x, -ahead.z)
+	return azimuth_of(-backwards(head.global_basis))
+
+
+## Radians to the left of -z, seen from above.
+static func azimuth_of(direction: Vector3) -> float:
+	return atan2(-direction.x, -direction.z)
+
+
+## The level direction behind a head, length 1.
+static func backwards(looking: Basis) -> Vector3:
+	var back := looking.z
+	if Vector2(back.x, back.z).length() < 0.2:
+		# Who looks straight down has the top of the head ahead; straight up, behind.
+		back = -looking.y * signf(looking.z.y)
+	back.y = 0.0
+	return back.normalized() if back.length() > 1e-3 else Vector3.BACK
 
 
 ## Does `change` while the picture is black for a moment; at once where blinks are off. A change

@@ -17,6 +17,20 @@ func distance_along(_from: Vector3, _direction: Vector3) -> float:
 	return INF
 
 
+## The same for one that is flat: a rectangle of `size` in its own plane, round its place, that is
+## hit from the front.
+func distance_to_flat(from: Vector3, direction: Vector3, size: Vector2) -> float:
+	var normal := global_basis.z.normalized()
+	var towards := direction.dot(normal)
+	if towards > -1e-4:
+		return INF
+	var distance := (global_position - from).dot(normal) / towards
+	if distance <= 0.0:
+		return INF
+	var place := to_local(from + direction * distance).abs()
+	return distance if place.x <= 0.5 * size.x and place.y <= 0.5 * size.y else INF
+
+
 ## The ray rests on it, at a place in the world. Called each frame.
 func point_at(_place: Vector3) -> void:
 	pass

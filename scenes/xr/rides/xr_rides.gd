@@ -146,7 +146,7 @@ func _begin() -> void:
 		_disk_start = disk.time
 	_seat = rig.get_seat()
 	sky.schwarzschild_radius = metres
-	_azimuth = _azimuth_of(ride.get_place())
+	_azimuth = XrRig.azimuth_of(ride.get_place())
 	state = State.RIDING
 	rig.jump_to(ride.get_place() * metres)
 	_take_along()
@@ -178,7 +178,7 @@ func _go(seconds: float) -> void:
 
 func _take_along() -> void:
 	var place := ride.get_place()
-	var azimuth := _azimuth_of(place)
+	var azimuth := XrRig.azimuth_of(place)
 	if keeps_hole_ahead and absf(angle_difference(_azimuth, azimuth)) > 1e-9:
 		rig.turn(angle_difference(_azimuth, azimuth))
 	_azimuth = azimuth
@@ -196,7 +196,7 @@ func _take_along() -> void:
 # was.
 func _turn_to_hole(outward: Vector3) -> void:
 	var seen: Vector3 = _observer.shadow(ride.get_place()).get("direction", -outward)
-	rig.snap(angle_difference(_azimuth_of(seen), _azimuth_of(-outward)) * -1.0)
+	rig.snap(angle_difference(XrRig.azimuth_of(seen), XrRig.azimuth_of(-outward)) * -1.0)
 	rig.jump_to(ride.get_place() * metres)
 
 
@@ -225,8 +225,3 @@ func _return(completed: bool) -> void:
 	pace.reset()
 	state = State.NONE
 	ended.emit(completed)
-
-
-# Radians to the left of -z, seen from above.
-static func _azimuth_of(place: Vector3) -> float:
-	return atan2(-place.x, -place.z)

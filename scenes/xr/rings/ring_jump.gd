@@ -36,7 +36,7 @@ var _ring: int = -1
 var _aimed: int = -1
 ## From the hole to the place on the ring that is pointed at.
 var _aimed_towards: Vector3
-var _static: SkyObserver
+var _resting := SkyObserver.new()
 
 
 func _ready() -> void:
@@ -93,15 +93,14 @@ func choose() -> bool:
 	if _aimed < 0:
 		return false
 	var radius := radii[_aimed]
-	rig.blink(jump.bind(radius, atan2(-_aimed_towards.x, -_aimed_towards.z)))
+	rig.blink(jump.bind(radius, XrRig.azimuth_of(_aimed_towards)))
 	return true
 
 
 ## Jumps to the ring at `radius` (Schwarzschild radii), in the direction `azimuth` seen from the
 ## hole (radians to the left of -z). The hole is seen on the same side as before.
 func jump(radius: float, azimuth: float) -> void:
-	var before := rig.get_place()
-	var turn := angle_difference(atan2(-before.x, -before.z), azimuth)
+	var turn := angle_difference(XrRig.azimuth_of(rig.get_place()), azimuth)
 	rig.jump_to(stand(radius, azimuth))
 	rig.snap(turn)
 	jumped.emit(radius)
@@ -123,12 +122,7 @@ static func shadow_there(radius: float) -> float:
 
 
 func _observer() -> SkyObserver:
-	if sky.observer != null:
-		return sky.observer
-	if _static == null:
-		_static = SkyObserver.new()
-		_static.motion = LensingTable.MOTION_STATIC
-	return _static
+	return sky.observer if sky.observer != null else _resting
 
 
 func _nearest_ring(radius: float) -> int:
