@@ -205,7 +205,7 @@ void AccretionDisk::set_ring_radii(const PackedFloat32Array &radii) {
 			return;
 		}
 	}
-	settings.rings.assign(radii.begin(), radii.end());
+	settings.rings.assign(radii.ptr(), radii.ptr() + radii.size());
 	changed();
 }
 

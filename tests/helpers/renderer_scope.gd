@@ -12,6 +12,20 @@ static func mobile_alone() -> Variant:
 	return "drawn by Mobile; ./test --all draws it with every renderer"
 
 
+## The same for tests of what Mobile and Compatibility may draw differently, but Mobile and Forward+,
+## which share a driver and its shading language, do not.
+static func without_forward_plus() -> Variant:
+	var method := RenderingServer.get_current_rendering_method()
+	if method != "forward_plus" or is_everything_wanted():
+		return false
+	return "drawn by Mobile and Compatibility; ./test --all draws it with Forward+ too"
+
+
+## What takes long, and is seen in shorter tests as well as far as each run needs it.
+static func with_everything_alone() -> Variant:
+	return false if is_everything_wanted() else "a long test, for ./test --all"
+
+
 ## All of these for Mobile, the first few for the others, unless everything is asked for.
 static func fewer(parameters: Array, few: int) -> Array:
 	return parameters if mobile_alone() is bool else parameters.slice(0, few)

@@ -5,6 +5,11 @@ extends GutTest
 var _booth: SkyBooth
 
 
+@warning_ignore("untyped_declaration")
+func should_skip_script():
+	return RendererScope.without_forward_plus()
+
+
 func before_all() -> void:
 	_booth = SkyBooth.new()
 	_booth.sky.image_orders = 2

@@ -25,6 +25,11 @@ var _booth: SkyBooth
 var _disk := AccretionDisk.new()
 
 
+@warning_ignore("untyped_declaration")
+func should_skip_script():
+	return RendererScope.mobile_alone()
+
+
 func before_all() -> void:
 	_booth = SkyBooth.new()
 	_booth.sky.stars_visible = false

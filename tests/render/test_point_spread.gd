@@ -25,6 +25,11 @@ var _booth: SkyBooth
 var _rng := RandomNumberGenerator.new()
 
 
+@warning_ignore("untyped_declaration")
+func should_skip_script():
+	return RendererScope.without_forward_plus()
+
+
 func before_all() -> void:
 	_booth = SkyBooth.new()
 	add_child(_booth)

@@ -11,6 +11,11 @@ var _booth: SkyBooth
 var _view := ExactView.new(Vector3(1.0, 2.0, 7.5), LensingTable.MOTION_STATIC)
 
 
+@warning_ignore("untyped_declaration")
+func should_skip_script():
+	return RendererScope.without_forward_plus()
+
+
 func before_all() -> void:
 	_booth = SkyBooth.new()
 	_booth.viewport.transparent_bg = true

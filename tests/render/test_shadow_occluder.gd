@@ -17,6 +17,11 @@ var _occluder := ShadowOccluder.new()
 var _middle: Vector3
 
 
+@warning_ignore("untyped_declaration")
+func should_skip_script():
+	return RendererScope.without_forward_plus()
+
+
 func before_all() -> void:
 	_booth = SkyBooth.new()
 	_booth.sky.stars_visible = false

@@ -77,7 +77,9 @@ func test_words_are_as_large_as_said() -> void:
 		)
 
 
-func test_words_fit_their_rows(locale: String = use_parameters(LanguagePage.locales())) -> void:
+func test_words_fit_their_rows(
+	locale: String = use_parameters(Array(LanguagePage.locales()))
+) -> void:
 	TranslationServer.set_locale(locale)
 	_booth.told[VisitPages.SPECTATOR] = tr("Nothing")
 	_booth.told[VisitPages.OBSERVER] = "Umkreisen"

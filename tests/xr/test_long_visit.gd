@@ -2,9 +2,9 @@
 extends XrTestCase
 ## A long visit in which everything is used: walking, turning, jumps, menu, cards, rides, hands that
 ## come and go. Nothing is printed as an error, and memory stays where it was after the first round.
-## 600 frames; 10,000 with ./test --all.
+## 300 frames; 10,000 with ./test --all.
 
-const FEW: int = 600
+const FEW: int = 300
 const MANY: int = 10000
 ## Frames of one round through all that there is.
 const ROUND: int = 100
@@ -25,7 +25,7 @@ func test_a_long_visit() -> void:
 	scene.spectator.mode = Spectator.Mode.VIEW
 	scene.spectator.most_rows = 120
 	var frames := MANY if RendererScope.is_everything_wanted() else FEW
-	var warm_up := 3 * ROUND if frames == FEW else 12 * ROUND
+	var warm_up := ROUND if frames == FEW else 12 * ROUND
 	var rides := [0]
 	scene.rides.began.connect(func() -> void: rides[0] += 1)
 	var errors := get_errors().size()

@@ -10,6 +10,26 @@
 
 namespace godot::internal {
 
+// Goes through the elements. Like godot-cpp's it is none of the standard library's iterators: range-based for is its use,
+// for algorithms there is ptr().
+template <class T>
+class PackedIterator {
+public:
+	explicit PackedIterator(T *element) : element_(element) {}
+
+	T &operator*() const { return *element_; }
+	T *operator->() const { return element_; }
+	PackedIterator &operator++() {
+		++element_;
+		return *this;
+	}
+	bool operator==(const PackedIterator &other) const { return element_ == other.element_; }
+	bool operator!=(const PackedIterator &other) const { return element_ != other.element_; }
+
+private:
+	T *element_;
+};
+
 // Methods: the generated methods of this array type. Access: functions `write` and `read` that give the
 // address of element `index`. Copies share their elements until one is written to; reading copies nothing.
 template <class Methods, class T, class Access>
@@ -34,10 +54,10 @@ public:
 	const T &operator[](std::int64_t index) const { return *Access::read(this->_native_ptr(), index); }
 	T &operator[](std::int64_t index) { return *Access::write(this->_native_ptr(), index); }
 
-	const T *begin() const { return ptr(); }
-	const T *end() const { return ptr() + this->size(); }
-	T *begin() { return ptrw(); }
-	T *end() { return ptrw() + this->size(); }
+	PackedIterator<const T> begin() const { return PackedIterator<const T>(ptr()); }
+	PackedIterator<const T> end() const { return PackedIterator<const T>(ptr() + this->size()); }
+	PackedIterator<T> begin() { return PackedIterator<T>(ptrw()); }
+	PackedIterator<T> end() { return PackedIterator<T>(ptrw() + this->size()); }
 };
 
 } // namespace godot::internal

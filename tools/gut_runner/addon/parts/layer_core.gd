@@ -69,7 +69,11 @@ func is_failing() -> Variant:
 
 
 ## Default value of a test's only parameter: the test is called once for each element.
-func use_parameters(parameters: Array) -> Variant:
+func use_parameters(parameters: Variant) -> Variant:
+	# Packed arrays are none: an Array is asked for.
+	if not parameters is Array:
+		_fail("use_parameters() must be given an Array")
+		return null
 	if _parameter_index < 0:
 		_parameters = parameters
 	_parameter_index += 1
