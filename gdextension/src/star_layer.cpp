@@ -25,7 +25,8 @@ namespace {
 
 constexpr int kMapCopies = 3;                                      // the sprite, across a seam, across a pole
 constexpr float kFaintestRank = std::numeric_limits<float>::max(); // of which one can ask
-constexpr double kHigherOrderFaintness = 6.0; // 6 x 5e-5: one step of an 8-bit sRGB picture
+/// Of images of order 1 and above: 8 x 5e-5 is still within the first step of an 8-bit sRGB picture.
+constexpr double kHigherOrderFaintness = 8.0;
 constexpr std::size_t kHigherOrders = StarLayer::kMaxOrders - 1;
 /// Rows that the second and further images should hold together, as a part of the stars: 14.4 bytes a star.
 /// Catalogues whose rows are fewer than these all in all (12 MB) need not be thrifty, so that their buffers

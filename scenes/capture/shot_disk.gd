@@ -32,6 +32,8 @@ const PROPERTIES: Dictionary[String, String] = {
 
 ## The disk's normal, a unit vector.
 var normal := Vector3.UP
+## How far the disk's pattern is turned about it, in degrees.
+var turn_deg: float = 0.0
 ## How much time of the disk, in r_s/c, passes in a second of a sequence.
 var time_per_second: float = 10.0
 ## Mass of the hole in solar masses, by which an accretion rate heats the disk.
@@ -57,6 +59,7 @@ static func from_data(data: Variant) -> ShotDisk:
 		disk.values["look"] = LOOKS.find(keys["look"])
 	disk.time_per_second = keys.get("time_per_second", disk.time_per_second)
 	disk.mass_solar = keys.get("mass_solar", disk.mass_solar)
+	disk.turn_deg = keys.get("turn_deg", disk.turn_deg)
 	if keys.has("normal"):
 		disk.normal = Vec3D.to_vector3(Vec3D.normalized(keys["normal"]))
 	return disk
@@ -64,7 +67,12 @@ static func from_data(data: Variant) -> ShotDisk:
 
 ## Dresses a disk as it is `seconds` into a sequence.
 func apply_to(disk: AccretionDisk, seconds: float = 0.0) -> void:
-	disk.basis = Basis(Quaternion(Vector3.UP, normal))
+	disk.basis = untwisted(normal) * Basis(Vector3.UP, deg_to_rad(turn_deg))
 	for property: String in values:
 		disk.set(property, values[property])
 	disk.time = values.get("time", 0.0) + time_per_second * seconds
+
+
+## Axes of a disk with a normal, a unit vector, whose pattern is not turned.
+static func untwisted(upward: Vector3) -> Basis:
+	return Basis(Quaternion(Vector3.UP, upward))

@@ -69,6 +69,9 @@ var disk: ShotDisk
 ## Bits of BlackHoleSky.Overlay.
 var overlays: int = 0
 var star_names: bool = false
+var constellation_names: bool = false
+## Of the constellations' names.
+var language: String = "la"
 var background: Background = Background.NONE
 var background_file: String = ""
 ## Of a sequence, seconds from its start.
@@ -139,6 +142,7 @@ func _read(data: Dictionary) -> void:
 		disk = ShotDisk.from_data(data.get("disk"))
 		_read_exposure(data.get("exposure", exposure_ev))
 		_read_overlays(data.get("overlays", []))
+		language = data.get("language", language)
 
 
 func _read_path(data: Dictionary) -> void:
@@ -228,10 +232,13 @@ func _read_exposure(value: Variant) -> void:
 
 func _read_overlays(names: Array) -> void:
 	for name: String in names:
-		if name == "star_names":
-			star_names = true
-		else:
-			overlays |= 1 << OVERLAYS.find(name)
+		match name:
+			"star_names":
+				star_names = true
+			"constellation_names":
+				constellation_names = true
+			_:
+				overlays |= 1 << OVERLAYS.find(name)
 
 
 func _find_file(path: String, key: String) -> String:

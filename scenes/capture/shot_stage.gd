@@ -48,6 +48,16 @@ func _init() -> void:
 	add_child(_viewport)
 
 
+## Takes over what another sky has read already: the tables, the stars as the addon's catalogue, the
+## constellations' lines.
+func borrow(sky: BlackHoleSky) -> void:
+	if sky.table != null and sky.table.is_ready():
+		_sky.table = sky.table
+	if sky.catalogue != null:
+		_catalogues[CATALOGUE_FILE] = sky.catalogue
+	_sky.figure_field = sky.figure_field
+
+
 ## Takes the picture: linear light (RGBAH) where the renderer keeps it, else 8-bit sRGB. Returns
 ## null, with a reason in `refusal`, when something the shot names cannot be had.
 func take(spec: ShotSpec, refusal: PackedStringArray) -> Image:
@@ -133,19 +143,30 @@ func _dress(spec: ShotSpec, refusal: PackedStringArray) -> bool:
 		_sky.mass_solar = spec.disk.mass_solar
 	_sky.projection = spec.projection
 	_sky.overlays = spec.overlays
-	_labels.visible = spec.star_names
+	_labels.visible = spec.star_names or spec.constellation_names
+	_labels.stars_shown = spec.star_names
+	_labels.constellations_shown = spec.constellation_names
+	_labels.language = spec.language
 	if spec.star_names and _labels.stars.names.is_empty():
 		_labels.stars = StarNames.load_file()
 		if not _labels.stars.error.is_empty():
 			refusal.append(_labels.stars.error)
 			return false
-	if spec.overlays & BlackHoleSky.OVERLAY_CONSTELLATIONS and _sky.figure_field == null:
-		var figures := ConstellationFigures.load_file()
-		if not figures.error.is_empty():
-			refusal.append(figures.error)
-			return false
-		_sky.figure_field = ConstellationOverlay.bake(figures)
-	return _set_background(spec, refusal)
+	return _set_constellations(spec, refusal) and _set_background(spec, refusal)
+
+
+func _set_constellations(spec: ShotSpec, refusal: PackedStringArray) -> bool:
+	var lines_wanted := spec.overlays & BlackHoleSky.OVERLAY_CONSTELLATIONS != 0
+	if not (lines_wanted or spec.constellation_names):
+		return true
+	if _labels.figures.figures.is_empty():
+		_labels.figures = ConstellationFigures.load_file()
+	if not _labels.figures.error.is_empty():
+		refusal.append(_labels.figures.error)
+		return false
+	if lines_wanted and _sky.figure_field == null:
+		_sky.figure_field = ConstellationOverlay.bake(_labels.figures)
+	return true
 
 
 func _set_background(spec: ShotSpec, refusal: PackedStringArray) -> bool:

@@ -3,6 +3,11 @@ class_name DesktopScene
 extends Node3D
 ## A black hole and the sky behind it, for a screen: joins data, controls, switches and display.
 
+## Frames after which the first picture is whole.
+const SETTLING_FRAMES: int = 3
+
+var _first_frame: int = 0
+
 @onready var _data: SkyData = $Data
 @onready var _switches: SkySwitches = $Switches
 @onready var _overlays: SkyOverlays = $Overlays
@@ -16,17 +21,17 @@ extends Node3D
 @onready var _ride_bar: RideBar = %RideBar
 @onready var _panel: SkyPanel = %Panel
 @onready var _hint: Label = %Hint
-@onready var _pointer: IdlePointer = $IdlePointer
-@onready var _frame: Control = %Frame
 @onready var _notices: NoticeBoard = %Notices
 @onready var _guide: HorizonGuide = $HorizonGuide
 @onready var _help: HelpOverlay = %Help
+@onready var _menus: MenuDirector = $Menus
+@onready var _photo: PhotoMode = %PhotoMode
+@onready var _tour: TourGuide = %TourGuide
+@onready var _settings: UserSettings = $UserSettings
+@onready var _sky: BlackHoleSky = $Sky
 
 
 func _ready() -> void:
-	if SelfTestScene.is_asked_for(OS.get_cmdline_user_args()):
-		get_tree().change_scene_to_file.call_deferred(SelfTestScene.FILE)
-		return
 	_data.warned.connect(_on_data_warned)
 	_data.settled.connect(_notices.take_down)
 	_switches.warned.connect(_on_advised)
@@ -34,15 +39,20 @@ func _ready() -> void:
 	_choice.warned.connect(_on_advised)
 	_rides.warned.connect(_on_advised)
 	_guide.advised.connect(_on_advised)
-	_help.visibility_changed.connect(_on_help_visibility_changed)
-	_panel.visibility_changed.connect(_on_panel_visibility_changed)
 	_rides.started.connect(_make_room)
 	_rides.left.connect(_make_room)
 	_help.fullscreen_asked.connect(toggle_fullscreen)
-	_help.quit_asked.connect(quit)
+	_menus.quit_asked.connect(quit)
+	_menus.photo_asked.connect(_photo.open)
+	_menus.tour_asked.connect(_tour.begin)
+	_tour.failed.connect(func(reason: String) -> void: _on_advised(&"tour", reason))
+	_tour.finished.connect(_on_tour_finished)
 	_route_actions()
 	_data.load_all()
 	_show_hint()
+	if not _settings.faults.is_empty():
+		_on_data_warned(&"settings", "\n".join(_settings.faults))
+	_first_frame = Engine.get_frames_drawn() + SETTLING_FRAMES
 
 
 func _notification(what: int) -> void:
@@ -59,17 +69,21 @@ func toggle_hud() -> void:
 	_make_room()
 
 
-func toggle_help() -> void:
-	if _help.visible:
-		_help.close()
-	else:
-		_help.open()
+## Opens the program's title over the sky.
+func show_title() -> void:
+	_menus.show_title()
 
 
+## Whether the picture is the one that will stay: the hole is there.
+func is_sky_ready() -> bool:
+	return _sky.table != null and _sky.table.is_ready() and Engine.get_frames_drawn() > _first_frame
+
+
+## The setting is kept, whatever the command line asked for.
 func toggle_fullscreen() -> void:
-	var window := get_window()
-	var full := window.mode == Window.MODE_FULLSCREEN
-	window.mode = Window.MODE_WINDOWED if full else Window.MODE_FULLSCREEN
+	var full := get_window().mode == Window.MODE_FULLSCREEN
+	get_window().mode = Window.MODE_WINDOWED if full else Window.MODE_FULLSCREEN
+	_settings.set_value(&"fullscreen", not full)
 
 
 func quit() -> void:
@@ -93,11 +107,11 @@ func _route_actions() -> void:
 	_router.route(&"toggle_flight", _controls.toggle_mode)
 	_router.route(&"reset_view", _on_reset_view)
 	_router.route(&"toggle_hud", toggle_hud)
-	_router.route(&"toggle_help", toggle_help)
+	_router.route(&"toggle_help", _menus.toggle_page.bind(MainMenu.CONTROLS))
 	_router.route(&"toggle_fullscreen", toggle_fullscreen)
-	_router.route(&"quit", _help.ask_to_quit)
-	_router.always = [&"toggle_help", &"toggle_fullscreen", &"quit"]
-	_router.always_in_panel = [&"toggle_panel", &"toggle_help"]
+	_router.route(&"toggle_menu", _menus.toggle_menu)
+	_router.always = [&"toggle_help", &"toggle_fullscreen", &"toggle_menu"]
+	_router.always_in_panel = [&"toggle_panel", &"toggle_help", &"toggle_menu"]
 
 
 # First, as they share buttons of the gamepad with what cannot be done on a ride.
@@ -148,20 +162,12 @@ func _on_advised(topic: StringName, text: String) -> void:
 	_notices.post(topic, text)
 
 
-func _on_help_visibility_changed() -> void:
-	_controls.listening = not _help.visible
-	_router.restricted = _help.visible
-	_frame.visible = not _help.visible
-	_pointer.wake()
+func _on_tour_finished(completed: bool) -> void:
+	if completed:
+		_menus.toggle_menu()
 
 
 # The bar of a ride names its keys itself and takes the place of the hint.
 func _make_room() -> void:
 	_hint.visible = _readouts.visible and not _rides.is_on()
 	_ride_bar.modulate.a = 1.0 if _readouts.visible else 0.0
-
-
-func _on_panel_visibility_changed() -> void:
-	_controls.keys_listening = not _panel.visible
-	_router.gamepad_restricted = _panel.visible
-	_pointer.wake()

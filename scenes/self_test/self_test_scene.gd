@@ -6,7 +6,6 @@ extends Control
 ##
 ##     godot --path . -- --self-test[=FILE.json]
 
-const FILE: String = "res://scenes/self_test/self_test.tscn"
 const ARGUMENT: String = "--self-test"
 
 @onready var _progress: Label = %Progress
@@ -14,14 +13,6 @@ const ARGUMENT: String = "--self-test"
 
 func _ready() -> void:
 	_run.call_deferred()
-
-
-## Does a command line (what follows `--`) ask for the self-test?
-static func is_asked_for(arguments: PackedStringArray) -> bool:
-	for argument in arguments:
-		if argument == ARGUMENT or argument.begins_with(ARGUMENT + "="):
-			return true
-	return false
 
 
 ## The file that a command line wants to be written, or an empty string.

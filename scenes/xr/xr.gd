@@ -38,6 +38,7 @@ var _is_placed: bool = false
 @onready var flight: Flight = $Flight
 @onready var jump: RingJump = $Rings
 @onready var rides: XrRides = $Rides
+@onready var tour: TourGuide = $TourGuide
 @onready var pointer: XrPointer = $Headset/Origin/Pointer
 @onready var menu: XrMenu = $Headset/Origin/Menu
 @onready var menu_layer: PanelLayer = $Headset/Origin/MenuLayer
@@ -76,6 +77,10 @@ func _ready() -> void:
 	rides.crossed_horizon.connect(_on_crossed_horizon)
 	_near_limit.crossed.connect(_on_too_near)
 	_choice.warned.connect(_on_warned)
+	tour.began.connect(_follow_comfort)
+	tour.finished.connect(_on_tour_finished)
+	tour.caption_changed.connect(_on_tour_caption)
+	tour.failed.connect(_sign.say.bind(8.0))
 	rig.jumped.connect(_brightness.adapt_at_once)
 	for hand: XrHand in [left_hand, right_hand]:
 		hand.menu_asked.connect(_on_menu_asked)
@@ -107,8 +112,9 @@ func leave() -> void:
 	get_tree().quit()
 
 
-## Puts the hole anew before the visitor, as at the beginning. A ride is left first.
+## Puts the hole anew before the visitor, as at the beginning. A tour or a ride is left first.
 func recentre() -> void:
+	tour.leave()
 	if rides.is_on():
 		rides.leave()
 		await rides.ended
@@ -140,20 +146,24 @@ func _place_first() -> void:
 
 func _follow_comfort() -> void:
 	_show_cards()
-	_snap_turn.enabled = not comfort.smooth_turn and not rides.is_on()
-	_smooth_turn.enabled = comfort.smooth_turn and not rides.is_on()
-	flight.enabled = comfort.smooth_flight and not rides.is_on()
+	_snap_turn.enabled = not comfort.smooth_turn and not _is_carried()
+	_smooth_turn.enabled = comfort.smooth_turn and not _is_carried()
+	flight.enabled = comfort.smooth_flight and not _is_carried()
 	sky.stereo_baseline_scale = comfort.stereo_baseline
 	_show_rings()
 
 
-# On rides there is no reading.
+# On rides there is no reading, and a tour has its own words.
 func _show_cards() -> void:
-	cards.visible = cards_shown and not rides.is_on()
+	cards.visible = cards_shown and not _is_carried()
 
 
 func _show_rings() -> void:
-	jump.enabled = rings_shown and not rides.is_on()
+	jump.enabled = rings_shown and not _is_carried()
+
+
+func _is_carried() -> bool:
+	return rides.is_on() or tour.is_on()
 
 
 func _on_menu_asked() -> void:
@@ -204,6 +214,17 @@ func _on_pause_changed(paused: bool) -> void:
 		_sign.clear()
 
 
+# Those who stand around read along.
+func _on_tour_caption(text: String) -> void:
+	if not text.is_empty():
+		spectator.set_caption(tr(text))
+
+
+func _on_tour_finished(_completed: bool) -> void:
+	_follow_comfort()
+	spectator.set_caption(($Echo as VisitEcho).caption())
+
+
 func _on_unavailable(reason: String) -> void:
 	if Supervision.is_supervised() and Supervision.is_started_again():
 		_wait_for_headset(Supervision.STILL_WAITING, LOOK_SECONDS)
@@ -213,6 +234,7 @@ func _on_unavailable(reason: String) -> void:
 
 
 func _on_lost() -> void:
+	tour.leave()
 	if _is_placed:
 		VisitMemory.store(rides.get_home_radius(), sky.global_position, rides.get_home())
 	_wait_for_headset(Supervision.LOST, NOTICE_SECONDS)
@@ -221,8 +243,9 @@ func _on_lost() -> void:
 func _on_focus_changed(focused: bool) -> void:
 	print("xr: %s" % ("in focus" if focused else "out of focus"))
 	pointer.enabled = focused
-	if rides.is_on() and not focused:
+	if not focused:
 		rides.set_paused(true)
+		tour.set_paused(true)
 
 
 func _wait_for_headset(status: int, seconds: float) -> void:

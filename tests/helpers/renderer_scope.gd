@@ -23,7 +23,9 @@ static func without_forward_plus() -> Variant:
 
 ## What takes long, and is seen in shorter tests as well as far as each run needs it.
 static func with_everything_alone() -> Variant:
-	return false if is_everything_wanted() else "a long test, for ./test --all"
+	if is_everything_wanted():
+		return false
+	return "a long test, for ./test --all"
 
 
 ## All of these for Mobile, the first few for the others, unless everything is asked for.

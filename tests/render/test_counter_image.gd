@@ -4,7 +4,6 @@ extends GutTest
 
 var _booth: SkyBooth
 
-
 @warning_ignore("untyped_declaration")
 func should_skip_script():
 	return RendererScope.without_forward_plus()

@@ -24,7 +24,6 @@ const VIEWS: Array = [
 var _booth: SkyBooth
 var _disk := AccretionDisk.new()
 
-
 @warning_ignore("untyped_declaration")
 func should_skip_script():
 	return RendererScope.mobile_alone()

@@ -24,7 +24,6 @@ var _spreads: Array = [
 var _booth: SkyBooth
 var _rng := RandomNumberGenerator.new()
 
-
 @warning_ignore("untyped_declaration")
 func should_skip_script():
 	return RendererScope.without_forward_plus()

@@ -10,7 +10,6 @@ const TO: float = 5.0 * PI / 12.0
 var _booth: SkyBooth
 var _view := ExactView.new(Vector3(1.0, 2.0, 7.5), LensingTable.MOTION_STATIC)
 
-
 @warning_ignore("untyped_declaration")
 func should_skip_script():
 	return RendererScope.without_forward_plus()

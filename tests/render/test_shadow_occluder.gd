@@ -16,7 +16,6 @@ var _occluder := ShadowOccluder.new()
 ## Direction of the shadow's middle.
 var _middle: Vector3
 
-
 @warning_ignore("untyped_declaration")
 func should_skip_script():
 	return RendererScope.without_forward_plus()

@@ -61,6 +61,17 @@ func test_an_orbit_closes_and_the_sky_moves_with_it() -> void:
 	assert_ne(OrbitRide.from(place, Vector3.RIGHT).refusal, "", "no plane")
 
 
+func test_who_is_dropped_can_be_there_whatever_rounding_does() -> void:
+	var observer := SkyObserver.new()
+	var refused := 0
+	for i in 500:
+		var place := Vector3(sin(i), cos(2.0 * i), sin(3.0 * i)).normalized() * (1.0001 + 0.05 * i)
+		var ride := FallRide.from_rest(place.length(), place)
+		ride.set_motion(observer)
+		refused += 0 if observer.get_refusal(ride.get_place()).is_empty() else 1
+	assert_eq(refused, 0)
+
+
 func test_a_flight_goes_on_with_the_motion_that_is_there() -> void:
 	var place := Vector3(0.0, 0.0, 5.0)
 	var still := SkyObserver.new()

@@ -89,10 +89,6 @@ func test_the_shaders_of_the_addon_are_found() -> void:
 
 
 func test_the_command_line() -> void:
-	assert_false(SelfTestScene.is_asked_for([]))
-	assert_false(SelfTestScene.is_asked_for(["--self-tests", "self-test"]))
-	assert_true(SelfTestScene.is_asked_for(["-x", "--self-test"]))
-	assert_true(SelfTestScene.is_asked_for(["--self-test=a.json"]))
 	assert_eq(SelfTestScene.file_asked_for(["--self-test"]), "")
 	assert_eq(SelfTestScene.file_asked_for(["--self-test=a=b.json"]), "a=b.json")
 

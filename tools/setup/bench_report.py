@@ -17,7 +17,7 @@ PICTURES = (
 )
 _NUMBERS = (
     "exact_phi_per_s", "bake_tables_s", "node_update_ms", "catalogue_load_ms", "first_frame_ms",
-    "first_frame_empty_project_ms",
+    "first_frame_empty_project_ms", "first_sky_ms",
 )
 # Key of the drawing times of every picture in turns, by round: for the quotients, too many to print.
 TURNS = "gpu_turns_ms"
@@ -35,6 +35,8 @@ _QUOTIENTS = {
     "hidden_disk_to_lensed_panorama": ("hidden_disk", "lensed_panorama", 1.1),
     "disk_to_lensed_panorama": ("disk", "lensed_panorama", 1.8),
 }
+# The demo's first picture against that of a project with nothing in it.
+_FIRST_FRAME = ("first_frame_to_empty_project", 1.5)
 _LEAST_MS = 1e-6
 _MARCH = ("march_1000_to_lensed_panorama", 30.0)
 # The marched picture counts as the lensed one when 99 % of its pixels differ by less than this part of the mean.
@@ -62,6 +64,8 @@ def limits(figures: Figures) -> dict[str, dict[str, object]]:
     result |= {
         key: _held(_number(figures[key]), limit) for key, limit in _AT_MOST_OF_MANY_STARS.items() if key in figures
     }
+    name, limit = _FIRST_FRAME
+    result[name] = _held(_number(figures["first_frame_ms"]) / _number(figures["first_frame_empty_project_ms"]), limit)
     for name, (picture, plain, limit) in _QUOTIENTS.items():
         result[name] = _held(_quotient(turns[picture], turns[plain], turns["empty"]), limit)
     name, least = _MARCH

@@ -10,7 +10,7 @@ import sys
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from setup import bench, capture, display, paths, prepare, self_test, session, xr
+from setup import bench, capture, display, kiosk, paths, prepare, screens, self_test, session, xr
 from setup.console import Failure, note, say
 
 FIRST_LOOK = paths.ROOT / "scenes" / "desktop" / "first_look.json"
@@ -113,7 +113,9 @@ def _help(_arguments: list[str]) -> int:
 SUBCOMMANDS = {
     "demo": Subcommand("open the black hole and its sky (the default); without a display: draw one picture", _demo),
     "xr": Subcommand("open it in a headset; --simulated: with one that a script moves (see tools/xr)", xr.run),
+    "kiosk": Subcommand("the exhibit for a museum, kept running: [--simulated] [--config FILE]; see docs/kiosk.md", kiosk.run),
     "capture": Subcommand("draw stills and sequences without a window: SHOT.json OUT, or --batch LIST.json; see docs/capture.md", capture.run),
+    "screens": Subcommand("draw every page and station of the programs, in every language: OUT/ [PATTERN]", screens.run),
     "bake": Subcommand("compute the lensing tables into lut/; --check computes and compares", _bake),
     "lut": Subcommand("the table tool: bake, inspect, verify, eval; see ./run lut --help", _lut),
     "bench": Subcommand("measure and print a table: [OUT.json] [--renderer mobile|forward_plus|gl_compatibility] [--scale]",

@@ -25,7 +25,11 @@ _BROKEN = re.compile(r"^(SCRIPT|SHADER) ERROR:", re.MULTILINE)
 
 def open_project(godot: Godot, arguments: list[str], variables: Mapping[str, str] | None = None) -> int:
     """Starts the project in a window (or the editor) and waits until it is closed. `variables` join the environment."""
-    command = display.on_screen([str(godot.executable), "--path", str(paths.ROOT), *arguments])
+    return start(display.on_screen([str(godot.executable), "--path", str(paths.ROOT), *arguments]), variables)
+
+
+def start(command: list[str], variables: Mapping[str, str] | None = None) -> int:
+    """Runs a command in the open and returns its exit status. `variables` join the environment."""
     try:
         return subprocess.run(command, env={**os.environ, **(variables or {})}, check=False).returncode
     except KeyboardInterrupt:

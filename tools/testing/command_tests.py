@@ -13,7 +13,7 @@ import unittest
 from pathlib import Path
 
 _ROOT = Path(__file__).resolve().parent.parent.parent
-_SUBCOMMANDS = ("demo", "xr", "capture", "bake", "lut", "bench", "self-test", "editor", "clean", "help")
+_SUBCOMMANDS = ("demo", "xr", "kiosk", "capture", "screens", "bake", "lut", "bench", "self-test", "editor", "clean", "help")
 
 
 def run(*arguments: str | Path, cwd: Path = _ROOT) -> subprocess.CompletedProcess[str]:
@@ -40,8 +40,9 @@ class CommandLine(unittest.TestCase):
     def test_wrong_arguments_are_2(self) -> None:
         for arguments in (
             ["capture"], ["bake", "--chek"], ["clean", "all"], ["bench", "a", "b"], ["bench", "--renderer", "vulcan"],
-            ["self-test", "a", "b"], ["self-test", "--renderer", "vulcan"],
+            ["self-test", "a", "b"], ["screens"], ["self-test", "--renderer", "vulcan"],
             ["demo", "fast"], ["editor", "fast"], ["xr", "fast"], ["xr", "--simulate"],
+            ["kiosk", "fast"], ["kiosk", "--config"],
         ):
             with self.subTest(arguments):
                 done = run(*arguments)

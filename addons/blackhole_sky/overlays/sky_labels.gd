@@ -12,6 +12,8 @@ extends Control
 @export_range(-2.0, 4.5, 0.1, "suffix:mag") var faintest: float = 2.5
 @export var stars_shown: bool = true
 @export var constellations_shown: bool = false
+## Of the constellations' names, such as [code]la[/code] or [code]de[/code]; empty: the program's.
+@export var language: String = ""
 ## Of the second images, inside the Einstein ring, as well.
 @export var second_images: bool = false
 @export var star_colour := Color(0.75, 0.82, 0.95, 0.9)
@@ -45,10 +47,10 @@ func _draw() -> void:
 			for order in 2 if second_images else 1:
 				_write(eye, stars.directions[i], order, stars.names[i], star_colour, false)
 	if constellations_shown:
-		var language := TranslationServer.get_locale()
+		var spoken := language if not language.is_empty() else TranslationServer.get_locale()
 		for figure in figures.figures:
 			for label in figure.labels:
-				_write(eye, label, 0, figure.name(language), constellation_colour, true)
+				_write(eye, label, 0, figure.name(spoken), constellation_colour, true)
 
 
 ## Nearer names come first; what would lie over another is left out.

@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: MIT
 class_name HelpOverlay
-extends Control
-## The controls, read from the input map, and the buttons to close, fill the screen and quit.
+extends MenuScreen
+## The controls, read from the input map, and the buttons to close it and to fill the screen.
 
 signal fullscreen_asked
-signal quit_asked
 
 ## What is explained, which actions do it, what the mouse does beside them, and, where the gamepad
 ## needs no control of its own, how it gets there; an empty row begins the second column.
@@ -37,51 +36,37 @@ const ROWS: Array[Array] = [
 	["Ride: leave", [&"ride_leave"], ""],
 	["Show or hide the display", [&"toggle_hud"], ""],
 	["Full screen", [&"toggle_fullscreen"], ""],
-	["This help", [&"toggle_help"], ""],
-	["Quit", [&"quit"], "", "Below"],
+	["This help", [&"toggle_help"], "", "In the menu"],
+	["Menu", [&"toggle_menu"], ""],
 ]
 
 @onready var _left: GridContainer = %Left
 @onready var _right: GridContainer = %Right
+@onready var _panel: PanelContainer = $Panel
 @onready var _close: Button = %Close
 @onready var _fullscreen: Button = %Fullscreen
-@onready var _quit: Button = %Quit
 
 
 func _ready() -> void:
 	_close.pressed.connect(close)
 	_fullscreen.pressed.connect(fullscreen_asked.emit)
-	_quit.pressed.connect(quit_asked.emit)
 
 
-func _unhandled_input(event: InputEvent) -> void:
-	# On the keyboard the same action is Escape, which quits.
-	if visible and event is InputEventJoypadButton and event.is_action_pressed(&"ui_cancel"):
-		get_viewport().set_input_as_handled()
-		close()
+func get_first_focus() -> Control:
+	return _close
 
 
-func open() -> void:
-	_appear(_close)
+func _on_open() -> void:
+	_fill()
+	_fit.call_deferred()
 
 
-func close() -> void:
-	hide()
-
-
-## Opens with the quit button ready; a second time it means it.
-func ask_to_quit() -> void:
-	if visible and _quit.has_focus():
-		quit_asked.emit()
-	else:
-		_appear(_quit)
-
-
-func _appear(focus: Button) -> void:
-	if not visible:
-		_fill()
-		show()
-	focus.grab_focus()
+# Large text makes the list larger than a small window.
+func _fit() -> void:
+	var needed := _panel.get_combined_minimum_size()
+	var share := get_viewport_rect().size / needed
+	_panel.pivot_offset = 0.5 * _panel.size
+	_panel.scale = Vector2.ONE * minf(1.0, minf(share.x, share.y))
 
 
 # Anew each time: language and bindings may have changed.

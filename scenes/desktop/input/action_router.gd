@@ -35,7 +35,7 @@ func get_actions() -> Array[StringName]:
 
 
 func _unhandled_input(event: InputEvent) -> void:
-	if event is InputEventMouse or not event.is_pressed():
+	if event is InputEventMouseMotion or not event.is_pressed():
 		return
 	for action: StringName in _calls:
 		if event.is_action_pressed(action, _repeating[action]) and _applies(action):

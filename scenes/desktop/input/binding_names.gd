@@ -44,6 +44,11 @@ const AXES: Dictionary[JoyAxis, String] = {
 	JOY_AXIS_TRIGGER_LEFT: "LT",
 	JOY_AXIS_TRIGGER_RIGHT: "RT",
 }
+const MOUSE_BUTTONS: Dictionary[MouseButton, String] = {
+	MOUSE_BUTTON_MIDDLE: "Middle button",
+	MOUSE_BUTTON_XBUTTON1: "Back button",
+	MOUSE_BUTTON_XBUTTON2: "Forward button",
+}
 
 
 ## The keys of the actions, each named once, in order.
@@ -51,8 +56,8 @@ static func keyboard(actions: Array[StringName]) -> String:
 	var names := PackedStringArray()
 	for action in actions:
 		for event in InputMap.action_get_events(action):
-			if event is InputEventKey:
-				_add(names, _key_name(event as InputEventKey))
+			if event is InputEventKey and not SECOND_KEYS.has(_key_of(event as InputEventKey)):
+				_add(names, of_event(event))
 	return BETWEEN.join(names)
 
 
@@ -61,15 +66,22 @@ static func gamepad(actions: Array[StringName]) -> String:
 	var names := PackedStringArray()
 	for action in actions:
 		for event in InputMap.action_get_events(action):
-			if event is InputEventJoypadButton:
-				var button := (event as InputEventJoypadButton).button_index
-				if BUTTONS.has(button):
-					_add(names, _translated(BUTTONS[button]))
-			elif event is InputEventJoypadMotion:
-				var axis := (event as InputEventJoypadMotion).axis
-				if AXES.has(axis):
-					_add(names, _translated(AXES[axis]))
+			if event is InputEventJoypadButton or event is InputEventJoypadMotion:
+				_add(names, of_event(event))
 	return BETWEEN.join(names)
+
+
+## The name of a key, a button or a stick; empty when it has none.
+static func of_event(event: InputEvent) -> String:
+	if event is InputEventKey:
+		return _key_name(event as InputEventKey)
+	if event is InputEventJoypadButton:
+		return _translated(BUTTONS.get((event as InputEventJoypadButton).button_index, ""))
+	if event is InputEventJoypadMotion:
+		return _translated(AXES.get((event as InputEventJoypadMotion).axis, ""))
+	if event is InputEventMouseButton:
+		return _translated(MOUSE_BUTTONS.get((event as InputEventMouseButton).button_index, ""))
+	return ""
 
 
 static func _add(names: PackedStringArray, name: String) -> void:
@@ -78,18 +90,22 @@ static func _add(names: PackedStringArray, name: String) -> void:
 
 
 static func _key_name(event: InputEventKey) -> String:
-	var key := event.keycode
-	if key == KEY_NONE:
-		key = event.physical_keycode
-		# Not every display server knows the keyboard's layout.
-		if DisplayServer.get_name() != "headless":
-			key = DisplayServer.keyboard_get_keycode_from_physical(key)
-	if SECOND_KEYS.has(key):
-		return ""
+	var key := _key_of(event)
 	if KEYS.has(key):
 		return _translated(KEYS[key])
 	return _translated(OS.get_keycode_string(key))
 
 
+static func _key_of(event: InputEventKey) -> Key:
+	if event.keycode != KEY_NONE:
+		return event.keycode
+	# Not every display server knows the keyboard's layout.
+	if DisplayServer.get_name() == "headless":
+		return event.physical_keycode
+	return DisplayServer.keyboard_get_keycode_from_physical(event.physical_keycode)
+
+
 static func _translated(name: String) -> String:
+	if name.is_empty():
+		return ""
 	return TranslationServer.translate(name)

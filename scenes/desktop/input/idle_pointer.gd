@@ -5,15 +5,15 @@ extends Node
 
 const REST_SECONDS: float = 3.0
 
-## The pointer stays while this is visible.
-@export var menu: Control
+## The pointer stays while a page is open.
+var kept: bool = false
 
 var _rested: float = 0.0
 
 
 func _process(delta: float) -> void:
 	_rested += delta
-	if _rested > REST_SECONDS and not menu.visible:
+	if _rested > REST_SECONDS and not kept:
 		_set_mode(Input.MOUSE_MODE_HIDDEN)
 
 

@@ -3,7 +3,15 @@ class_name Languages
 extends Node
 ## Adds the scene's translations while it is there. The texts in the scripts are the English ones.
 
-const FILES: PackedStringArray = ["res://scenes/desktop/locale/de.po"]
+const FILES: PackedStringArray = [
+	"res://scenes/desktop/locale/de.po",
+	"res://scenes/menu/locale/de.po",
+	"res://scenes/settings/locale/de.po",
+	"res://scenes/desktop/photo/locale/de.po",
+	"res://scenes/cards/locale/de.po",
+	"res://scenes/tour/locale/de.po",
+	"res://scenes/kiosk/locale/de.po",
+]
 
 var _translations: Array[Translation] = []
 

@@ -26,11 +26,27 @@ const DRAG_ORBIT: float = PI
 const RATE_SETTLING: float = 0.16
 const MOUSE_SETTLING: float = 0.06
 const FACING_SETTLING: float = 0.35
+const AT_ONCE: float = 1e-4
 ## Longest step; a hitch of the machine must not throw the eye away.
 const LONGEST_STEP: float = 0.25
 
 @export var camera: Camera3D
 @export var sky: BlackHoleSky
+## How far the mouse turns the view, and how fast keys and sticks do and fly.
+@export_range(0.1, 4.0, 0.05) var mouse_sensitivity: float = 1.0
+@export_range(0.1, 4.0, 0.05) var steering_sensitivity: float = 1.0
+## Up turns the view down, and down up.
+@export var inverted: bool = false
+## A press of the key for flying faster holds until the next one.
+@export var fast_toggles: bool = false:
+	set(value):
+		fast_toggles = value
+		_fast = false
+## Motion begins and ends gently; else at once.
+@export var eased: bool = true:
+	set(value):
+		eased = value
+		_set_settling()
 
 var rig := ViewRig.new()
 var mode: Mode = Mode.ORBIT:
@@ -57,6 +73,7 @@ var _drag_orbit := EasedRemainder.new(MOUSE_SETTLING)
 var _drag_turn := EasedRemainder.new(MOUSE_SETTLING)
 var _drag_axis := EasedRemainder.new(MOUSE_SETTLING)
 var _dragging: bool = false
+var _fast: bool = false
 
 
 func _ready() -> void:
@@ -70,6 +87,8 @@ func _process(delta: float) -> void:
 func _unhandled_input(event: InputEvent) -> void:
 	if not listening:
 		return
+	if fast_toggles and event.is_action_pressed(&"fly_fast"):
+		_fast = not _fast
 	if event is InputEventMouseMotion:
 		_drag((event as InputEventMouseMotion).relative)
 	elif event is InputEventMouseButton:
@@ -106,14 +125,15 @@ func advance(seconds: float) -> void:
 	var turn_rate := Vector3.ZERO
 	var flight_rate := Vector3.ZERO
 	if listening and keys_listening:
-		var speed := FAST if Input.is_action_pressed(&"fly_fast") else 1.0
+		var fast := _fast if fast_toggles else Input.is_action_pressed(&"fly_fast")
+		var speed := steering_sensitivity * (FAST if fast else 1.0)
 		turn_rate.z = Input.get_axis(&"roll_left", &"roll_right") * ROLL_SPEED
 		if mode == Mode.ORBIT:
 			orbit_rate = _asked_orbit() * speed
 		else:
 			var look := Input.get_vector(&"look_left", &"look_right", &"look_down", &"look_up")
-			turn_rate.x = look.x * TURN_SPEED
-			turn_rate.y = look.y * TURN_SPEED
+			turn_rate.x = look.x * TURN_SPEED * steering_sensitivity
+			turn_rate.y = _upwards(look.y) * TURN_SPEED * steering_sensitivity
 			if mode == Mode.FLIGHT:
 				flight_rate = asked_flight() * (FLIGHT_SPEED * speed)
 	var round_hole := _orbiting.advance(orbit_rate, seconds) + _drag_orbit.advance(seconds)
@@ -128,7 +148,7 @@ func advance(seconds: float) -> void:
 		rig.approach(round_hole.z)
 		rig.turn(head.x, head.y, head.z)
 		rig.fly(flown)
-	_face(1.0 - exp(-seconds / FACING_SETTLING))
+	_face(1.0 - exp(-seconds / FACING_SETTLING) if eased else 1.0)
 	_show()
 
 
@@ -147,6 +167,17 @@ func asked_flight() -> Vector3:
 	return Vector3(level.x, Input.get_axis(&"fly_down", &"fly_up"), level.y).limit_length()
 
 
+func _upwards(asked: float) -> float:
+	return -asked if inverted else asked
+
+
+func _set_settling() -> void:
+	for rate: EasedRate in [_orbiting, _turning, _flying]:
+		rate.settling_time = RATE_SETTLING if eased else AT_ONCE
+	for remainder: EasedRemainder in [_drag_orbit, _drag_turn, _drag_axis]:
+		remainder.settling_time = MOUSE_SETTLING if eased else AT_ONCE
+
+
 func _face(fraction: float) -> void:
 	if mode == Mode.ORBIT:
 		rig.face_hole(fraction)
@@ -161,6 +192,7 @@ func _asked_orbit() -> Vector3:
 		Input.get_axis(&"recede", &"approach") + Input.get_axis(&"fly_back", &"fly_forward")
 	)
 	var both := (stick + Vector2(sideways, 0.0)).limit_length() * ORBIT_SPEED
+	both.y = _upwards(both.y)
 	return Vector3(both.x, both.y, clampf(nearer, -1.0, 1.0) * APPROACH_SPEED)
 
 
@@ -168,6 +200,7 @@ func _drag(relative: Vector2) -> void:
 	if not _dragging:
 		return
 	var share := relative / maxf(get_viewport().get_visible_rect().size.y, 1.0)
+	share = Vector2(share.x, _upwards(share.y)) * mouse_sensitivity
 	if mode == Mode.ORBIT:
 		_drag_orbit.add(Vector3(-share.x, share.y, 0.0) * DRAG_ORBIT)
 	else:

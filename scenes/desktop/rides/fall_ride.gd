@@ -3,6 +3,10 @@ class_name FallRide
 extends Ride
 ## A fall along a radius, exact at every moment, through the horizon to where rides end.
 
+## Of the square of the energy, 1 - 1/r at rest: rounding must not put the place above the turning
+## point.
+const HAIR: float = 2e-7
+
 var _path := RadialFallPath.new()
 var _outward: Vector3
 var _proper_time: float = 0.0
@@ -79,7 +83,7 @@ func seek(progress: float) -> void:
 
 func set_motion(observer: SkyObserver) -> void:
 	observer.motion = LensingTable.MOTION_INFALL
-	observer.energy = _path.get_energy()
+	observer.energy = sqrt(_path.get_energy() ** 2 + HAIR)
 	observer.outgoing = false
 
 

@@ -14,6 +14,8 @@ const EXPOSURE_LIMIT: float = 8.0
 const MOST_ORDERS: int = 4
 
 @export var sky: BlackHoleSky
+## The hole grows and shrinks before the visitor's eyes; else it comes and goes at once.
+@export var gradual: bool = true
 
 var _tween: Tween
 var _hole_wanted: bool = true
@@ -36,6 +38,9 @@ func want_hole(wanted: bool) -> void:
 	if _tween != null:
 		_tween.kill()
 	var target := 1.0 if _hole_wanted else 0.0
+	if not gradual:
+		sky.lensing = target
+		return
 	var seconds := LENSING_SECONDS * absf(target - sky.lensing)
 	_tween = create_tween().set_trans(Tween.TRANS_SINE).set_ease(Tween.EASE_IN_OUT)
 	_tween.tween_property(sky, ^"lensing", target, seconds)

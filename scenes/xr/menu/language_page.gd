@@ -9,11 +9,13 @@ const OWN_NAMES: Dictionary[String, String] = {"en": "English", "de": "Deutsch"}
 const SOURCE: String = "en"
 
 
-## The source's language, then those that Languages adds.
+## The source's language, then those that Languages adds, from several files each.
 static func locales() -> PackedStringArray:
 	var found: PackedStringArray = [SOURCE]
 	for file in Languages.FILES:
-		found.append(file.get_file().get_basename())
+		var locale := file.get_file().get_basename()
+		if not found.has(locale):
+			found.append(locale)
 	return found
 
 

@@ -16,6 +16,7 @@ const SKY: StringName = &"sky"
 const EXPLAIN: StringName = &"explain"
 const COMFORT: StringName = &"comfort"
 const LANGUAGE: StringName = &"language"
+const TOUR: StringName = &"tour"
 const LEAVE: StringName = &"leave"
 
 const FALL: StringName = &"fall"
@@ -30,6 +31,10 @@ const RINGS: StringName = &"rings"
 const CARDS: StringName = &"cards"
 const PASSTHROUGH: StringName = &"passthrough"
 const SPECTATOR: StringName = &"spectator"
+const TOUR_START: StringName = &"tour_start"
+const TOUR_NEXT: StringName = &"tour_next"
+const TOUR_PREVIOUS: StringName = &"tour_previous"
+const TOUR_LEAVE: StringName = &"tour_leave"
 const EXIT: StringName = &"exit"
 const OBSERVER: StringName = &"observer"
 
@@ -59,6 +64,7 @@ func make() -> Dictionary[StringName, MenuPage]:
 		RIDES: _rides(),
 		SKY: _sky_page(),
 		EXPLAIN: _explain(),
+		TOUR: _tour(),
 		COMFORT: MenuPage.of(_translated("Comfort"), _comforts.items(), FIRST),
 		LANGUAGE: MenuPage.of(_translated("Language"), LanguagePage.items(), FIRST),
 		LEAVE: _leave(),
@@ -159,6 +165,7 @@ func _explain() -> MenuPage:
 		. of(
 			_translated("Explain"),
 			[
+				MenuItem.to_page(_translated("Guided tour"), TOUR),
 				_toggle(CARDS, _translated("Cards")),
 				MenuItem.toggle(
 					&"lines",
@@ -173,6 +180,22 @@ func _explain() -> MenuPage:
 				_choice(SPECTATOR, _translated("Screen shows")),
 			],
 			FIRST
+		)
+	)
+
+
+func _tour() -> MenuPage:
+	return (
+		MenuPage
+		. of(
+			_translated("Guided tour"),
+			[
+				_ask(TOUR_START, _translated("Start the tour")).closing(),
+				_ask(TOUR_NEXT, _translated("Next station")).closing(),
+				_ask(TOUR_PREVIOUS, _translated("Previous station")).closing(),
+				_ask(TOUR_LEAVE, _translated("End the tour")).closing(),
+			],
+			EXPLAIN
 		)
 	)
 

@@ -13,6 +13,7 @@ const LIFT: float = 0.1
 @export var spectator: Spectator
 @export var choice: ObserverChoice
 @export var passthrough: Passthrough
+@export var tour: TourGuide
 
 
 func _ready() -> void:
@@ -26,16 +27,21 @@ func _ready() -> void:
 		VisitPages.PASSTHROUGH: passthrough.is_on,
 	}
 	pages.refusals = {
-		VisitPages.RINGS: _refuse_on_ride,
-		VisitPages.FALL: _refuse_on_ride,
-		VisitPages.ORBIT_RIGHT: _refuse_on_ride,
-		VisitPages.ORBIT_LEFT: _refuse_on_ride,
-		VisitPages.HIGHER: _refuse_on_ride,
-		VisitPages.LOWER: _refuse_on_ride,
-		VisitPages.OBSERVER: _refuse_on_ride,
+		VisitPages.RINGS: _refuse_when_carried,
+		VisitPages.CARDS: _refuse_on_tour,
+		VisitPages.FALL: _refuse_when_carried,
+		VisitPages.ORBIT_RIGHT: _refuse_when_carried,
+		VisitPages.ORBIT_LEFT: _refuse_when_carried,
+		VisitPages.HIGHER: _refuse_when_carried,
+		VisitPages.LOWER: _refuse_when_carried,
+		VisitPages.OBSERVER: _refuse_when_carried,
 		VisitPages.PAUSE_RIDE: _refuse_without_ride,
 		VisitPages.LEAVE_RIDE: _refuse_without_ride,
 		VisitPages.PASSTHROUGH: passthrough.why_not,
+		VisitPages.TOUR_START: _refuse_when_carried,
+		VisitPages.TOUR_NEXT: _refuse_without_tour,
+		VisitPages.TOUR_PREVIOUS: _refuse_without_tour,
+		VisitPages.TOUR_LEAVE: _refuse_without_tour,
 	}
 
 
@@ -72,12 +78,28 @@ func _on_asked(id: StringName) -> void:
 			choice.choose_next(rig.get_place() / scene.sky.schwarzschild_radius, Vector3.UP)
 		VisitPages.PASSTHROUGH:
 			passthrough.set_on(not passthrough.is_on())
+		VisitPages.TOUR_START:
+			tour.begin()
+		VisitPages.TOUR_NEXT:
+			tour.next_station()
+		VisitPages.TOUR_PREVIOUS:
+			tour.previous_station()
+		VisitPages.TOUR_LEAVE:
+			tour.leave()
 		VisitPages.EXIT:
 			scene.leave()
 
 
-func _refuse_on_ride() -> String:
-	return tr("End the ride first.") if rides.is_on() else ""
+func _refuse_when_carried() -> String:
+	return tr("End the ride first.") if rides.is_on() else _refuse_on_tour()
+
+
+func _refuse_on_tour() -> String:
+	return tr("End the tour first.") if tour.is_on() else ""
+
+
+func _refuse_without_tour() -> String:
+	return "" if tour.is_on() else tr("There is no tour now.")
 
 
 func _refuse_without_ride() -> String:

@@ -66,7 +66,11 @@ func _unhandled_input(event: InputEvent) -> void:
 func toggle() -> void:
 	if visible:
 		hide()
-		return
+	else:
+		open()
+
+
+func open() -> void:
 	refresh()
 	show()
 	_tabs.get_tab_bar().grab_focus()

@@ -1,0 +1,21 @@
+# SPDX-License-Identifier: MIT
+class_name TimeScale
+extends RefCounted
+## How much faster than in truth the clocks of visits run, for tests: after -- --time-scale=N.
+
+const ARGUMENT: String = "--time-scale="
+
+static var _scale: float = 0.0
+
+
+static func of_program() -> float:
+	if _scale == 0.0:
+		_scale = from(OS.get_cmdline_user_args())
+	return _scale
+
+
+static func from(arguments: PackedStringArray) -> float:
+	for argument in arguments:
+		if argument.begins_with(ARGUMENT):
+			return clampf(argument.trim_prefix(ARGUMENT).to_float(), 1.0, 1000.0)
+	return 1.0
