@@ -81,12 +81,17 @@ func is_sky_ready() -> bool:
 
 ## The setting is kept, whatever the command line asked for.
 func toggle_fullscreen() -> void:
+	if KioskMode.is_on():
+		return
 	var full := get_window().mode == Window.MODE_FULLSCREEN
 	get_window().mode = Window.MODE_WINDOWED if full else Window.MODE_FULLSCREEN
 	_settings.set_value(&"fullscreen", not full)
 
 
+## Not for an exhibit's visitors.
 func quit() -> void:
+	if KioskMode.is_on():
+		return
 	get_tree().quit()
 
 

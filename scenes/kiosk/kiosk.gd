@@ -53,6 +53,7 @@ func _ready() -> void:
 	_recorder = VisitRecorder.new(_notes.visits)
 	var headset := _is_headset_wanted()
 	director.configure(config, headset)
+	director.is_ready = false
 	_connect_parts()
 	_window.configure(config)
 	_call.set_hotkey(config.text("operator_hotkey"))

@@ -109,6 +109,8 @@ func has_started() -> bool:
 
 ## Ends the program, as the visitor wishes.
 func leave() -> void:
+	if KioskMode.is_on():
+		return
 	get_tree().quit()
 
 

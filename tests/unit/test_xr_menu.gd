@@ -298,3 +298,12 @@ func test_the_disc_comes_along_lazily() -> void:
 	var ahead := -_booth.head.global_basis.z
 	var towards := disc.global_position - _booth.head.global_position
 	assert_lt(Vector2(ahead.x, ahead.z).angle_to(Vector2(towards.x, towards.z)), 0.01)
+
+
+func test_an_exhibit_has_no_exit() -> void:
+	KioskMode.set_on(true)
+	var first := _booth.pages.make()[VisitPages.FIRST]
+	KioskMode.set_on(false)
+	for item in first.items:
+		assert_ne(item.page, VisitPages.LEAVE)
+	assert_eq(_booth.pages.make()[VisitPages.FIRST].items.size(), first.items.size() + 1)

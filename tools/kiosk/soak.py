@@ -70,6 +70,8 @@ class Soak:
                 self._live(supervisor)
             finally:
                 process.end_group(supervisor)
+        rows = [f"{pid},{at:.1f},{memory:.1f}" for pid, samples in self._samples.items() for at, memory in samples]
+        (folder / "memory.csv").write_text("\n".join(["process,seconds,megabytes", *rows]) + "\n", encoding="utf-8")
         self._judge(folder / "output.log")
 
     def _command(self) -> list[str]:

@@ -4,7 +4,6 @@ extends RefCounted
 ## Tells those who look after the exhibit how it is, in one small JSON file that is replaced whole.
 
 const FILE_NAME: String = "health.json"
-const STATES: PackedStringArray = ["starting", "running", "waiting", "ended"]
 
 var _path: String
 var _least_free: float

@@ -35,6 +35,7 @@ const TOUR_START: StringName = &"tour_start"
 const TOUR_NEXT: StringName = &"tour_next"
 const TOUR_PREVIOUS: StringName = &"tour_previous"
 const TOUR_LEAVE: StringName = &"tour_leave"
+const CREDITS: StringName = &"credits"
 const EXIT: StringName = &"exit"
 const OBSERVER: StringName = &"observer"
 
@@ -72,21 +73,18 @@ func make() -> Dictionary[StringName, MenuPage]:
 
 
 func _first() -> MenuPage:
-	return (
-		MenuPage
-		. of(
-			_translated("Menu"),
-			[
-				MenuItem.to_page(_translated("Move"), MOVE),
-				MenuItem.to_page(_translated("Rides"), RIDES),
-				MenuItem.to_page(_translated("Sky"), SKY),
-				MenuItem.to_page(_translated("Explain"), EXPLAIN),
-				MenuItem.to_page(_translated("Comfort"), COMFORT),
-				MenuItem.to_page(_translated("Language"), LANGUAGE).with_globe(),
-				MenuItem.to_page(_translated("Exit"), LEAVE).refused_by(_refusal.bind(EXIT)),
-			]
-		)
-	)
+	var items: Array[MenuItem] = [
+		MenuItem.to_page(_translated("Move"), MOVE),
+		MenuItem.to_page(_translated("Rides"), RIDES),
+		MenuItem.to_page(_translated("Sky"), SKY),
+		MenuItem.to_page(_translated("Explain"), EXPLAIN),
+		MenuItem.to_page(_translated("Comfort"), COMFORT),
+		MenuItem.to_page(_translated("Language"), LANGUAGE).with_globe(),
+	]
+	# An exhibit's visitors take the headset off.
+	if not KioskMode.is_on():
+		items.append(MenuItem.to_page(_translated("Exit"), LEAVE).refused_by(_refusal.bind(EXIT)))
+	return MenuPage.of(_translated("Menu"), items)
 
 
 func _move() -> MenuPage:
@@ -178,6 +176,7 @@ func _explain() -> MenuPage:
 				),
 				_toggle(PASSTHROUGH, _translated("See your own room")),
 				_choice(SPECTATOR, _translated("Screen shows")),
+				_ask(CREDITS, _translated("Credits")).closing(),
 			],
 			FIRST
 		)

@@ -14,6 +14,7 @@ const LIFT: float = 0.1
 @export var choice: ObserverChoice
 @export var passthrough: Passthrough
 @export var tour: TourGuide
+@export var credits: RollingCredits
 
 
 func _ready() -> void:
@@ -86,6 +87,8 @@ func _on_asked(id: StringName) -> void:
 			tour.previous_station()
 		VisitPages.TOUR_LEAVE:
 			tour.leave()
+		VisitPages.CREDITS:
+			credits.toggle()
 		VisitPages.EXIT:
 			scene.leave()
 

@@ -61,7 +61,11 @@ func _process(_delta: float) -> void:
 			if _errors.has_seen_loss() or _watch.is_dead():
 				_on_lost()
 		State.OPENING:
-			_see_state()
+			# A runtime may die before it has shown anything.
+			if _errors.has_seen_loss():
+				_on_lost()
+			else:
+				_see_state()
 
 
 ## Opens a session. False: there is none, and `unavailable` has said why.
