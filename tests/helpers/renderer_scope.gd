@@ -12,8 +12,8 @@ static func mobile_alone() -> Variant:
 	return "drawn by Mobile; ./test --all draws it with every renderer"
 
 
-## The same for tests of what Mobile and Compatibility may draw differently, but Mobile and Forward+,
-## which share a driver and its shading language, do not.
+## The same for tests of what Mobile and Compatibility may draw differently, but not Mobile and
+## Forward+, which share a driver and its shading language.
 static func without_forward_plus() -> Variant:
 	var method := RenderingServer.get_current_rendering_method()
 	if method != "forward_plus" or is_everything_wanted():

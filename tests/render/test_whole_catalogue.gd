@@ -8,8 +8,8 @@ extends GutTest
 const MAGNITUDE_LIMIT: float = 8.0
 ## One star in so many is looked for.
 const STEP: int = 7
-## Images of higher orders must be so much brighter than the faint limit to be drawn: still within the
-## first step of an 8-bit picture.
+## Images of higher orders must be so much brighter than the faint limit to be drawn: still within
+## the first step of an 8-bit picture.
 const HIGHER_ORDERS: float = 8.0
 
 var _booth: SkyBooth
