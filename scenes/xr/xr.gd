@@ -9,7 +9,7 @@ const NO_FOVEATION: String = "--no-foveation"
 ## So long the screen says that the headset is gone before the program starts again, seconds.
 const NOTICE_SECONDS: float = 1.5
 ## And between two looks whether it is back.
-const LOOK_SECONDS: float = 4.0
+const LOOK_SECONDS: float = 2.5
 
 ## The rings to which one can jump are drawn, and can be pointed at.
 var rings_shown: bool = false:

@@ -9,6 +9,10 @@ func after_each() -> void:
 
 
 func test_waiting_for_the_screen() -> void:
+	DisplayServer.window_set_vsync_mode(DisplayServer.VSYNC_ENABLED)
+	if DisplayServer.window_get_vsync_mode() != DisplayServer.VSYNC_ENABLED:
+		pending("this driver does not wait for the screen")
+		return
 	_settings.set_value(&"vsync", false)
 	assert_eq(DisplayServer.window_get_vsync_mode(), DisplayServer.VSYNC_DISABLED)
 	_settings.set_value(&"vsync", true)

@@ -9,7 +9,7 @@ const ALL_FRAMES: int = 120
 const MOST: float = 0.02
 ## Light of stars that are plain to see, and of others a few times as bright as the faint limit.
 const BRIGHT: float = 2.0
-const FAINT: float = 0.003
+const FAINT: float = 0.004
 
 var _booth: SkyBooth
 var _rng := RandomNumberGenerator.new()
