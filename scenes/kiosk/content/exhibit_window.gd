@@ -48,6 +48,6 @@ func fit() -> void:
 
 ## Takes the keys away that leave the program or its full screen.
 func forbid_leaving() -> void:
-	for action: StringName in [&"quit", &"toggle_fullscreen"]:
+	for action: StringName in [&"toggle_fullscreen"]:
 		if InputMap.has_action(action):
 			InputMap.action_erase_events(action)
