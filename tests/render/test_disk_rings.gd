@@ -15,6 +15,10 @@ var _booth: SkyBooth
 var _disk := AccretionDisk.new()
 var _seen := DiskView.new(10.0, 70.0, LensingTable.MOTION_STATIC, 70.0)
 
+@warning_ignore("untyped_declaration")
+func should_skip_script():
+	return RendererScope.without_forward_plus()
+
 
 func before_all() -> void:
 	_booth = SkyBooth.new()

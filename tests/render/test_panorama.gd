@@ -15,6 +15,10 @@ var _booth: SkyBooth
 var _rng := RandomNumberGenerator.new()
 var _tolerance_deg: float
 
+@warning_ignore("untyped_declaration")
+func should_skip_script():
+	return RendererScope.without_forward_plus()
+
 
 func before_all() -> void:
 	_booth = SkyBooth.new()

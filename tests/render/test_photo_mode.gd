@@ -17,11 +17,17 @@ func should_skip_script():
 
 
 func before_each() -> void:
+	# Photos have a viewport of their own: what the window would draw is not looked at.
+	get_tree().root.disable_3d = true
 	_scene = SCENE.instantiate()
 	add_child_autofree(_scene)
 	_sky = _scene.get_node("Sky")
 	_photo = _scene.get_node("%PhotoMode")
 	_photo.folder = ProjectSettings.globalize_path(_folder.path)
+
+
+func after_each() -> void:
+	get_tree().root.disable_3d = false
 
 
 func _set_the_unusual_up() -> void:
@@ -104,6 +110,7 @@ func test_the_photo_is_what_the_screen_shows() -> void:
 	if not RendererScope.is_everything_wanted():
 		pending("a long test, for ./test --all")
 		return
+	get_tree().root.disable_3d = false
 	_set_the_unusual_up()
 	_sky.psf_model = BlackHoleSky.PSF_GAUSSIAN
 	_photo.hide()

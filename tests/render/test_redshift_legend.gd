@@ -7,6 +7,10 @@ const RATIOS: PackedFloat64Array = [0.2, 0.27, 0.47, 0.7, 0.93, 1.07, 1.4, 2.1, 
 
 var _booth: SkyBooth
 
+@warning_ignore("untyped_declaration")
+func should_skip_script():
+	return RendererScope.without_forward_plus()
+
 
 func before_all() -> void:
 	_booth = SkyBooth.new()

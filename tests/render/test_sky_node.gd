@@ -10,6 +10,10 @@ var _booth: SkyBooth
 var _view: ExactView
 var _field: StarField
 
+@warning_ignore("untyped_declaration")
+func should_skip_script():
+	return RendererScope.without_forward_plus()
+
 
 func before_each() -> void:
 	_booth = SkyBooth.new()

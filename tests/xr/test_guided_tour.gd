@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: MIT
 extends XrTestCase
-## The guided tour in the headset: its card is there at every station, and afterwards the visitor is
-## where they were.
+## The guided tour in the headset: its card is there at every station (the first few; all with
+## ./test --all), and afterwards the visitor is where they were.
 
 ## Fainter stars make no difference to what is tested, but processors draw them slowly.
 const FAINTEST: float = 3.0
 const EYES := Vector3(0.0, 1.6, 0.0)
+const FEW: int = 4
 
 
 func test_the_tour_is_shown_station_by_station_and_left() -> void:
@@ -20,7 +21,8 @@ func test_the_tour_is_shown_station_by_station_and_left() -> void:
 	scene.tour.automatic = false
 	assert_true(scene.tour.begin())
 	assert_true(card.visible, "the card")
-	for i in scene.tour.tour.stations.size():
+	var all := RendererScope.is_everything_wanted()
+	for i in scene.tour.tour.stations.size() if all else FEW:
 		if i > 0:
 			scene.tour.next_station()
 		assert_true(await visit.settle(scene.tour.stage.is_arrived), "station %d" % (i + 1))
