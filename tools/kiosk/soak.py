@@ -26,12 +26,12 @@ from setup import kiosk, paths, prepare, process  # noqa: E402
 
 _SETTINGS: dict[str, object] = {
     "mode": "screen", "languages": ["de", "en"], "health_notice": "always", "idle_seconds": 30, "visit_minutes": 1.2,
-    "soft_end_seconds": 20, "fullscreen": False, "pin": "4711", "daily_restart_hour": -1, "hang_seconds": 6,
-    "start_seconds": 60, "log_megabytes": 0.2, "log_count": 20,
+    "soft_end_seconds": 20, "fullscreen": False, "pin": "4711", "daily_restart_hour": -1, "hang_seconds": 10,
+    "well_seconds": 20, "start_seconds": 60, "log_megabytes": 0.2, "log_count": 20,
 }
 _TIME_SCALE = 16
 _USER_DATA = Path("godot") / "app_userdata" / "Black Hole Sky"
-_COMES_BACK_S = 60.0
+_COMES_BACK_S = 100.0  # the supervisor waits up to a minute
 # After so long a program has its memory: drivers make shaders ready when something is shown for the first time.
 _WARM_S = 120.0
 _MOST_GROWTH = 3.0  # megabytes a minute
@@ -91,7 +91,7 @@ class Soak:
         faults: list[Callable[[], None]] = [self._kill, self._hang, self._fill_disk, self._damage_settings]
         # Equal parts of the time, a fault in each but the last; of a long one the second half shows whether memory is flat.
         calm = ends - 0.5 * self._seconds if self._seconds >= _LONG_S else ends - 8.0
-        every = 30.0 if self._seconds >= _LONG_S else max(self._seconds / (len(faults) + 3), 6.0)
+        every = 45.0 if self._seconds >= _LONG_S else max(self._seconds / (len(faults) + 3), 6.0)
         turn = 0
         while time.monotonic() < ends and supervisor.poll() is None and not self.wrong:
             self._watch(min(every, max(ends - time.monotonic(), 0.1)))
@@ -166,8 +166,14 @@ class Soak:
             self.wrong.append("the log does not go on once there is room again")
 
     def _end_program(self, how: signal.Signals) -> None:
+        if self.wrong:
+            return
         pid = self._pid()
-        os.kill(pid, how)
+        try:
+            os.kill(pid, how)
+        except ProcessLookupError:
+            self.wrong.append("the program ended by itself")
+            return
         self._ended += 1
         self._wait_for_life(pid)
 

@@ -33,6 +33,7 @@ func _ready() -> void:
 	_health = HealthFile.new(_folder, 1e6 * _config.number("least_free_megabytes"))
 	_policy.start_seconds = _config.number("start_seconds")
 	_policy.hang_seconds = _config.number("hang_seconds")
+	_policy.well_seconds = _config.number("well_seconds")
 	_note("supervisor %s; settings from %s" % [ProgramVersion.text(), _config.path])
 	OS.set_environment(Supervision.VARIABLE, "1")
 	set_process(false)
