@@ -14,6 +14,8 @@ const DAILY: int = 77
 const INCOMPLETE: int = 78
 ## The operator wants it started anew.
 const RESTART: int = 79
+## The supervisor is gone; there is nobody to read this.
+const ORPHANED: int = 80
 ## Those after which it is started again at once.
 const PLANNED: PackedInt32Array = [RUNTIME_LOST, RUNTIME_MISSING, DAILY, RESTART]
 
@@ -33,4 +35,6 @@ static func describe(status: int, operator: bool) -> String:
 			return "the program is incomplete"
 		RESTART:
 			return "restart by the operator"
+		ORPHANED:
+			return "its supervisor had gone"
 	return "crashed or killed (exit status %d)" % status

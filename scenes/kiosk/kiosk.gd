@@ -82,6 +82,8 @@ func _process(_delta: float) -> void:
 		_watch_visit(delta)
 	elif director.state == VisitDirector.State.ATTRACT:
 		_restart_daily()
+		if SupervisorWatch.is_gone(OS.get_cmdline_user_args()):
+			leave(ExitStatus.ORPHANED, "supervisor gone")
 
 
 ## Ends the program with a status, leaving word why.

@@ -32,6 +32,14 @@ func _await_start() -> float:
 	return _now - from
 
 
+func test_a_program_knows_when_its_supervisor_is_gone() -> void:
+	assert_false(SupervisorWatch.is_gone([]), "there was none")
+	if not DirAccess.dir_exists_absolute("/proc/self"):
+		return
+	assert_false(SupervisorWatch.is_gone(["--kiosk", SupervisorWatch.argument()]))
+	assert_true(SupervisorWatch.is_gone([SupervisorWatch.ARGUMENT + "99999999"]))
+
+
 func test_starts_at_once_and_leaves_a_healthy_program_alone() -> void:
 	assert_eq(_policy.advise(0.0), SupervisorPolicy.Action.START)
 	_live(5000.0)

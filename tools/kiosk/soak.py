@@ -36,6 +36,8 @@ _COMES_BACK_S = 100.0  # the supervisor waits up to a minute
 _WARM_S = 120.0
 _MOST_GROWTH = 3.0  # megabytes a minute
 _LONG_S = 300.0
+_SUPERVISED_BY = "--supervised-by="
+_ORPHAN_S = 20.0  # it looks every five seconds
 
 
 class Soak:
@@ -69,10 +71,29 @@ class Soak:
             try:
                 self._live(supervisor)
             finally:
+                self._end_supervisor()
                 process.end_group(supervisor)
         rows = [f"{pid},{at:.1f},{memory:.1f}" for pid, samples in self._samples.items() for at, memory in samples]
         (folder / "memory.csv").write_text("\n".join(["process,seconds,megabytes", *rows]) + "\n", encoding="utf-8")
         self._judge(folder / "output.log")
+
+    def _end_supervisor(self) -> None:
+        """Ends it alone, while the screen is still there: the program then ends by itself."""
+        pid = self._pid()
+        try:
+            words = Path(f"/proc/{pid}/cmdline").read_text(encoding="utf-8").split("\0")
+        except OSError:
+            return
+        named = [word.removeprefix(_SUPERVISED_BY) for word in words if word.startswith(_SUPERVISED_BY)]
+        for number in named:
+            os.kill(int(number), signal.SIGTERM)
+        deadline = time.monotonic() + _ORPHAN_S
+        while time.monotonic() < deadline:
+            if _megabytes(pid) == 0.0:
+                return
+            time.sleep(0.2)
+        self.wrong.append("the program outlives its supervisor")
+        os.kill(pid, signal.SIGKILL)
 
     def _command(self) -> list[str]:
         wish = kiosk.Wish(
@@ -81,7 +102,8 @@ class Soak:
                     "--max-fps", "30"],
             exhibit=["--few-stars", f"--time-scale={_TIME_SCALE}", f"--simulated-visitors={self._random.randrange(1000)}"],
         )
-        screen = ["xvfb-run", "-a", "-s", "-screen 0 640x360x24"]
+        # The screen is to outlive the supervisor, as in a museum.
+        screen = ["xvfb-run", "-a", "-s", "-screen 0 640x360x24", "sh", "-c", f'"$@"; sleep {_ORPHAN_S + 5.0:.0f}', "sh"]
         return [*screen, str(self._engine), "--path", str(paths.ROOT), *kiosk.engine_arguments(wish)]
 
     def _live(self, supervisor: subprocess.Popen[bytes]) -> None:
