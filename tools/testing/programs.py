@@ -15,6 +15,8 @@ from testing.junit import Case
 
 _PROVIDER = paths.SOURCES / "tests" / "bindings" / "run_provider_tests.py"
 _COMMANDS = Path(__file__).parent / "command_tests.py"
+# So long pictures may take, in seconds.
+_PLAIN_S, _LONG_S = 900, 2400
 
 
 def cpp_stage(context: Context) -> list[Case]:
@@ -74,7 +76,8 @@ def render_stage(context: Context, renderer: str) -> list[Case]:
         "-s", "addons/gut/gut_cmdln.gd", "-gconfig=", "-gdir=res://tests/render", "-ginclude_subdirs", "-gexit",
         f"-gjunit_xml_file={result_file(name)}",
     ])
-    return run_for_junit(command, name, 900, _own_home(name, context)) + scripts_left_out(name, "tests/render")
+    timeout_s = _LONG_S if context.all_variants else _PLAIN_S
+    return run_for_junit(command, name, timeout_s, _own_home(name, context)) + scripts_left_out(name, "tests/render")
 
 
 def _own_home(name: str, context: Context) -> dict[str, str]:
