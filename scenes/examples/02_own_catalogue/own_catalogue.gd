@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 extends Node3D
-## A catalogue made at run time: stars on the edges of a cube, so that one sees what becomes of them.
+## A catalogue made at run time: stars on the edges of a cube, so that one sees what becomes of
+## them.
 
 const STARS_PER_EDGE: int = 100
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 extends Node3D
-## A fall from rest through the horizon, played by an AnimationPlayer: exact at every moment, and with
-## the player's own pause, speed and seek.
+## A fall from rest through the horizon, played by an AnimationPlayer: exact at every moment, and
+## with the player's own pause, speed and seek.
 
 const START_RADIUS: float = 10.0
 const END_RADIUS: float = 0.1
