@@ -33,8 +33,8 @@ _TIME_SCALE = 16
 _USER_DATA = Path("godot") / "app_userdata" / "Black Hole Sky"
 _COMES_BACK_S = 100.0  # the supervisor waits up to a minute
 # After so long a program has its memory: drivers make shaders ready when something is shown for the first time.
-_WARM_S = 120.0
-_MOST_GROWTH = 3.0  # megabytes a minute
+_WARM_S = 300.0
+_MOST_GROWTH = 1.0  # megabytes a minute
 _LONG_S = 300.0
 _SUPERVISED_BY = "--supervised-by="
 _ORPHAN_S = 20.0  # it looks every five seconds
