@@ -102,11 +102,10 @@ func _add_button(title: String, index: int) -> void:
 
 # Up and down go through the list and round; to the sides there is nothing.
 func _chain_focus() -> void:
-	var chain: Array[Button] = _buttons.duplicate()
+	var chain: Array[Control] = []
+	chain.assign(_buttons)
 	chain.append(_close)
-	for i in chain.size():
-		var next := chain[(i + 1) % chain.size()]
-		chain[i].focus_neighbor_bottom = chain[i].get_path_to(next)
-		next.focus_neighbor_top = next.get_path_to(chain[i])
-		chain[i].focus_neighbor_left = NodePath(".")
-		chain[i].focus_neighbor_right = NodePath(".")
+	FocusRing.link(chain)
+	for control in chain:
+		control.focus_neighbor_left = NodePath(".")
+		control.focus_neighbor_right = NodePath(".")

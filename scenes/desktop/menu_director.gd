@@ -60,9 +60,7 @@ func toggle_page(item: StringName) -> void:
 	if page.visible:
 		page.close()
 	elif not is_page_open():
-		_from_menu = menu.visible
-		menu.hide()
-		page.open()
+		_open(page, menu.visible)
 
 
 ## Whether a page lies over the sky; the menu itself is none.
@@ -70,10 +68,15 @@ func is_page_open() -> bool:
 	return _pages.values().any(func(page: MenuScreen) -> bool: return page.visible)
 
 
+func _open(page: MenuScreen, from_menu: bool) -> void:
+	_from_menu = from_menu
+	menu.hide()
+	page.open()
+
+
 func _on_chosen(item: StringName) -> void:
 	if _pages.has(item):
-		_pages[item].open()
-		_from_menu = true
+		_open(_pages[item], true)
 		return
 	match item:
 		MainMenu.QUIT:

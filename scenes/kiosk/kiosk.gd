@@ -11,6 +11,8 @@ const LOST_SECONDS: float = 1.5
 const MISSING_SECONDS: float = 4.0
 ## A computer that slept has not been visited meanwhile.
 const LONGEST_STEP: float = 2.0
+## Between two looks whether the program is to end, seconds.
+const LOOK_SECONDS: float = 5.0
 
 ## The settings; those of the program unless others are given before it enters the tree.
 var config: KioskConfig
@@ -20,6 +22,7 @@ var _recorder: VisitRecorder
 var _facts := OperatorFacts.new()
 var _board: KioskBoard
 var _veiling: Tween
+var _since_look: float = 0.0
 var _last_usec: int = Time.get_ticks_usec()
 var _started: float = DailyRestart.local_now()
 var _leaving: String = ""
@@ -80,10 +83,10 @@ func _process(_delta: float) -> void:
 		_recorder.pass_time(seconds)
 	if director.state == VisitDirector.State.VISIT:
 		_watch_visit(delta)
-	elif director.state == VisitDirector.State.ATTRACT:
-		_restart_daily()
-		if SupervisorWatch.is_gone(OS.get_cmdline_user_args()):
-			leave(ExitStatus.ORPHANED, "supervisor gone")
+	_since_look += delta
+	if director.state == VisitDirector.State.ATTRACT and _since_look >= LOOK_SECONDS:
+		_since_look = 0.0
+		_leave_if_due()
 
 
 ## Ends the program with a status, leaving word why.
@@ -280,8 +283,13 @@ func _tell_missing(seconds: float, status: int, why: String) -> void:
 		leave(status, why)
 
 
-func _restart_daily() -> void:
-	if DailyRestart.is_due(config.whole("daily_restart_hour"), _started, DailyRestart.local_now()):
+# While nobody is there.
+func _leave_if_due() -> void:
+	if SupervisorWatch.is_gone(OS.get_cmdline_user_args()):
+		leave(ExitStatus.ORPHANED, "supervisor gone")
+	elif DailyRestart.is_due(
+		config.whole("daily_restart_hour"), _started, DailyRestart.local_now()
+	):
 		leave(ExitStatus.DAILY, "daily restart")
 
 

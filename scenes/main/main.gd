@@ -15,7 +15,6 @@ var _path: String
 var _waited: float = 0.0
 var _scene: Node
 
-@onready var _cover: CanvasLayer = $Cover
 @onready var _all: Control = %All
 
 
@@ -41,14 +40,13 @@ func _process(delta: float) -> void:
 		set_process(false)
 		var fade := create_tween()
 		fade.tween_property(_all, "modulate:a", 0.0, FADE_SECONDS)
-		fade.tween_callback(_finish)
+		fade.tween_callback(queue_free)
 
 
 # After the first picture, so that it does not wait for what is loaded.
 func _begin() -> void:
 	if ResourceLoader.load_threaded_request(_path) != OK:
-		push_error("%s cannot be loaded. Is the program complete?" % _path)
-		get_tree().quit(1)
+		_give_up()
 		return
 	set_process(true)
 
@@ -62,15 +60,14 @@ func _take_scene() -> void:
 			get_tree().current_scene = _scene
 			_scene.call(&"show_title")
 		ResourceLoader.THREAD_LOAD_FAILED, ResourceLoader.THREAD_LOAD_INVALID_RESOURCE:
-			set_process(false)
-			push_error("%s cannot be loaded. Is the program complete?" % _path)
-			get_tree().quit(1)
+			_give_up()
 
 
 func _is_seen() -> bool:
 	return _scene.call(&"is_sky_ready") == true
 
 
-func _finish() -> void:
-	_cover.hide()
-	queue_free()
+func _give_up() -> void:
+	set_process(false)
+	push_error("%s cannot be loaded. Is the program complete?" % _path)
+	get_tree().quit(1)

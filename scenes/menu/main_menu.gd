@@ -70,19 +70,12 @@ func _on_open() -> void:
 	_link()
 
 
-# Up and down go round and round.
 func _link() -> void:
-	var shown: Array[Button] = []
+	var shown: Array[Control] = []
 	for button: Button in _buttons.values():
 		if button.visible:
 			shown.append(button)
-	for at in shown.size():
-		var above := shown[at - 1]
-		var button := shown[at]
-		button.focus_neighbor_top = button.get_path_to(above)
-		button.focus_previous = button.focus_neighbor_top
-		above.focus_neighbor_bottom = above.get_path_to(button)
-		above.focus_next = above.focus_neighbor_bottom
+	FocusRing.link(shown)
 
 
 func _on_pressed(item: StringName) -> void:

@@ -37,8 +37,8 @@ func _run() -> void:
 	root.add_child(_encoder)
 	for size in SIZES:
 		for locale in LOCALES:
-			await _draw_all(size, locale)
-			if not is_instance_valid(root):
+			if not await _draw_all(size, locale):
+				quit(1)
 				return
 	for problem in _problems:
 		print(problem)
@@ -46,12 +46,11 @@ func _run() -> void:
 	quit(0 if _problems.is_empty() else 1)
 
 
-func _draw_all(size: Vector2i, locale: String) -> void:
+func _draw_all(size: Vector2i, locale: String) -> bool:
 	var folder := _folder.path_join("%dx%d" % [size.x, size.y]).path_join(locale)
 	if DirAccess.make_dir_recursive_absolute(folder) != OK:
 		printerr("screens: %s cannot be made. Check the path and the disk." % folder)
-		quit(1)
-		return
+		return false
 	DisplayServer.window_set_size(size)
 	var packed: PackedScene = load(DESKTOP)
 	var scene := packed.instantiate() as DesktopScene
@@ -67,6 +66,7 @@ func _draw_all(size: Vector2i, locale: String) -> void:
 	await _draw_exhibit(scene, folder, "%s %s" % [size, locale])
 	scene.queue_free()
 	await process_frame
+	return true
 
 
 func _settle() -> void:

@@ -6,8 +6,6 @@ extends Control
 ##
 ##     godot --path . -- --self-test[=FILE.json]
 
-const ARGUMENT: String = "--self-test"
-
 @onready var _progress: Label = %Progress
 
 
@@ -17,10 +15,7 @@ func _ready() -> void:
 
 ## The file that a command line wants to be written, or an empty string.
 static func file_asked_for(arguments: PackedStringArray) -> String:
-	for argument in arguments:
-		if argument.begins_with(ARGUMENT + "="):
-			return argument.trim_prefix(ARGUMENT + "=")
-	return ""
+	return CommandLine.value(arguments, ProgramMode.SELF_TEST_ARGUMENT + "=")
 
 
 func _run() -> void:

@@ -74,11 +74,6 @@ func get_number(key: StringName) -> float:
 	return number
 
 
-func get_choice(key: StringName) -> String:
-	var chosen: String = _values[key]
-	return chosen
-
-
 func is_initial(key: StringName) -> bool:
 	return _values[key] == SettingList.find(key).initial
 

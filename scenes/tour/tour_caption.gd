@@ -14,6 +14,11 @@ enum Look {
 	ALONG,
 }
 
+## Lines over the sky, by the bits of BlackHoleSky.overlays, for the inspector.
+const LINES: String = (
+	"Constellations:1,Equatorial grid:2,Galactic grid:4,Edge of the shadow:8,Einstein rings:16,"
+	+ "Direction of motion:32,Diameter of the shadow:64,Without bending:128"
+)
 ## Words that people read in a second, and seconds until their eyes have found the text.
 const WORDS_PER_SECOND: float = 2.4
 const SECONDS_TO_FIND: float = 1.8
@@ -42,17 +47,7 @@ const SECONDS_TO_FIND: float = 1.8
 ## Where the eye looks; AS_BEFORE: as at the caption before.
 @export var look: Look = Look.AS_BEFORE
 ## Lines that are drawn besides those of the station.
-@export_flags(
-	"Constellations:1",
-	"Equatorial grid:2",
-	"Galactic grid:4",
-	"Edge of the shadow:8",
-	"Einstein rings:16",
-	"Direction of motion:32",
-	"Diameter of the shadow:64",
-	"Without bending:128"
-)
-var more_lines: int = 0
+@export_custom(PROPERTY_HINT_FLAGS, LINES) var more_lines: int = 0
 
 
 ## How long it stays, seconds.

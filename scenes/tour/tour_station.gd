@@ -76,17 +76,7 @@ enum Arrival {
 @export_range(-10.0, 10.0, 0.1, "suffix:EV") var headset_brighter: float = 0.0
 ## Names of bright stars; not in a headset.
 @export var star_names: bool = false
-@export_flags(
-	"Constellations:1",
-	"Equatorial grid:2",
-	"Galactic grid:4",
-	"Edge of the shadow:8",
-	"Einstein rings:16",
-	"Direction of motion:32",
-	"Diameter of the shadow:64",
-	"Without bending:128"
-)
-var lines: int = 0
+@export_custom(PROPERTY_HINT_FLAGS, TourCaption.LINES) var lines: int = 0
 
 @export_group("Disk")
 @export var disk: Disk = Disk.NONE

@@ -38,24 +38,21 @@ func after_each() -> void:
 
 
 func _key_event(key: Key, pressed: bool = true) -> InputEventKey:
-	var event := InputEventKey.new()
-	event.physical_keycode = key
-	event.keycode = key
-	event.pressed = pressed
-	return event
+	return DeviceInput.key(key, pressed)
 
 
 func _button_event(button: JoyButton, pressed: bool = true) -> InputEventJoypadButton:
-	var event := InputEventJoypadButton.new()
-	event.button_index = button
-	event.pressed = pressed
-	return event
+	return DeviceInput.button(button, pressed)
 
 
 # What the polled state of the input sees.
 func _hold(event: InputEvent) -> void:
-	Input.parse_input_event(event)
-	Input.flush_buffered_events()
+	DeviceInput.send(event)
+
+
+# And lets go of it.
+func _press(event: InputEvent) -> void:
+	DeviceInput.press(event)
 
 
 func _let_pass(seconds: float) -> void:

@@ -18,13 +18,6 @@ func before_each() -> void:
 	_page = _panel.get_node("%DiskPage")
 
 
-func _press(event: InputEvent) -> void:
-	_hold(event.duplicate() as InputEvent)
-	var release := event.duplicate() as InputEvent
-	release.set("pressed", false)
-	_hold(release)
-
-
 func _slider(slider_name: String) -> ValueSlider:
 	return _page.get_node("%" + slider_name)
 

@@ -16,11 +16,6 @@ func before_each() -> void:
 	_map_camera = _map.get_node("%MapCamera")
 
 
-func _press(key: Key) -> void:
-	_hold(_key_event(key))
-	_hold(_key_event(key, false))
-
-
 func _open() -> void:
 	_map.open()
 	await wait_process_frames(2)
@@ -38,13 +33,13 @@ func _direction_to_hole() -> Vector3:
 
 func test_the_key_opens_and_closes_and_moves_the_picture_aside() -> void:
 	assert_almost_eq(_hole_place(), Vector2(0.5, 0.5), Vector2.ONE * 1e-3)
-	_press(KEY_M)
+	_press(_key_event(KEY_M))
 	await wait_process_frames(2)
 	assert_true(_map.visible)
 	assert_almost_eq(_hole_place(), Vector2(0.25, 0.5), Vector2.ONE * 1e-3)
 	var extent := Vector2(_scene.get_viewport().get_visible_rect().size)
 	assert_almost_eq(_map.get_global_rect().position.x, 0.5 * extent.x, 1.0)
-	_press(KEY_M)
+	_press(_key_event(KEY_M))
 	await wait_process_frames(2)
 	assert_false(_map.visible)
 	assert_null(_view.get_map_sky())

@@ -28,13 +28,6 @@ func before_each() -> void:
 	_panel = _scene.get_node("%Panel")
 
 
-func _press(event: InputEvent) -> void:
-	_hold(event.duplicate() as InputEvent)
-	var release := event.duplicate() as InputEvent
-	release.set("pressed", false)
-	_hold(release)
-
-
 func _until_read() -> void:
 	var read := func() -> bool: return not _overlays.is_computing()
 	assert_true(await wait_until(read, BAKE_SECONDS), "read in time")

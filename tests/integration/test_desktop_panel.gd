@@ -13,14 +13,6 @@ func before_each() -> void:
 	_rides.set_process(false)
 
 
-# As a device sends it: tabs ask the polled state as well.
-func _press(event: InputEvent) -> void:
-	_hold(event.duplicate() as InputEvent)
-	var release := event.duplicate() as InputEvent
-	release.set("pressed", false)
-	_hold(release)
-
-
 func _box(box_name: String) -> CheckBox:
 	return _panel.get_node("%" + box_name)
 

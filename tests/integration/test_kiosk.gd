@@ -51,15 +51,11 @@ func _until_ready() -> void:
 
 
 func _button(button: JoyButton) -> void:
-	var event := InputEventJoypadButton.new()
-	event.button_index = button
-	await _send(event)
+	await _send(DeviceInput.button(button))
 
 
 func _key(key: Key, ctrl: bool = false, shift: bool = false) -> void:
-	var event := InputEventKey.new()
-	event.keycode = key
-	event.physical_keycode = key
+	var event := DeviceInput.key(key)
 	event.unicode = key if key >= KEY_0 and key <= KEY_9 else 0
 	event.ctrl_pressed = ctrl
 	event.shift_pressed = shift
@@ -67,11 +63,7 @@ func _key(key: Key, ctrl: bool = false, shift: bool = false) -> void:
 
 
 func _send(event: InputEvent) -> void:
-	for pressed: bool in [true, false]:
-		var sent := event.duplicate() as InputEvent
-		sent.set("pressed", pressed)
-		Input.parse_input_event(sent)
-		Input.flush_buffered_events()
+	DeviceInput.press(event)
 	await wait_process_frames(2)
 
 

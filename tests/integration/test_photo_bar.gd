@@ -22,19 +22,12 @@ func _widget(widget_name: String) -> Control:
 	return _photo.get_node("%" + widget_name)
 
 
-func _press(event_of: Callable) -> void:
-	for pressed: bool in [true, false]:
-		var event: InputEvent = event_of.call(pressed)
-		# By way of the polled state, which sliders ask when a gamepad moves them.
-		_hold(event)
-
-
 func _key(key: Key) -> void:
-	_press(func(pressed: bool) -> InputEvent: return _key_event(key, pressed))
+	_press(_key_event(key))
 
 
 func _button(button: JoyButton) -> void:
-	_press(func(pressed: bool) -> InputEvent: return _button_event(button, pressed))
+	_press(_button_event(button))
 
 
 func test_down_reaches_everything(is_gamepad: bool = use_parameters([false, true])) -> void:

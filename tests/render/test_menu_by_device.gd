@@ -45,13 +45,6 @@ func before_each() -> void:
 	_menus.quit_asked.disconnect(_scene.quit)
 
 
-func _push(event: InputEvent) -> void:
-	for pressed: bool in [true, false]:
-		var pushed := event.duplicate() as InputEvent
-		pushed.set(&"pressed", pressed)
-		_hold(pushed)
-
-
 func _focused() -> Control:
 	return get_tree().root.gui_get_focus_owner()
 
@@ -61,7 +54,7 @@ func _go_to(item: StringName, down: InputEvent) -> void:
 	for step in _menu.get_items().size():
 		if _focused() == _menu.get_button(item):
 			return
-		_push(down)
+		_press(down)
 
 
 func test_every_item_is_reached_and_used_by_each_device(
@@ -74,20 +67,20 @@ func test_every_item_is_reached_and_used_by_each_device(
 	watch_signals(_menus)
 	watch_signals(_menu)
 	for item in _menu.get_items():
-		_push(open)
+		_press(open)
 		assert_true(_menu.visible, "the menu opens for %s" % item)
 		_go_to(item, down)
 		assert_eq(_focused(), _menu.get_button(item), "%s is reached" % item)
-		_push(accept)
+		_press(accept)
 		assert_signal_emitted_with_parameters(_menu, "chosen", [item])
 		if PAGES.has(item):
 			assert_true(_menus.is_page_open(), "%s opens" % item)
 			assert_not_null(_focused(), "%s has a focus" % item)
-			_push(cancel)
+			_press(cancel)
 			assert_false(_menus.is_page_open(), "%s closes" % item)
 			assert_true(_menu.visible, "back in the menu from %s" % item)
 		if _menu.visible:
-			_push(cancel)
+			_press(cancel)
 		assert_false(_menu.visible, "the menu is left after %s" % item)
 		_put_back()
 	assert_signal_emit_count(_menus, "quit_asked", 1)
@@ -103,12 +96,12 @@ func _put_back() -> void:
 func test_the_visit_rests_behind_the_menu() -> void:
 	var rides: RideDirector = _scene.get_node("Rides")
 	rides.start(RideDirector.Kind.FROM_REST)
-	_push(_key_event(KEY_ESCAPE))
+	_press(_key_event(KEY_ESCAPE))
 	var time := rides.ride.get_proper_time()
 	await wait_process_frames(3)
 	assert_eq(rides.ride.get_proper_time(), time)
 	assert_false(_controls.listening)
-	_push(_key_event(KEY_ESCAPE))
+	_press(_key_event(KEY_ESCAPE))
 	await wait_process_frames(3)
 	assert_gt(rides.ride.get_proper_time(), time)
 	assert_true(_controls.listening)
@@ -116,13 +109,13 @@ func test_the_visit_rests_behind_the_menu() -> void:
 
 func test_the_title_stays_until_something_is_chosen() -> void:
 	_scene.show_title()
-	_push(_key_event(KEY_ESCAPE))
+	_press(_key_event(KEY_ESCAPE))
 	assert_true(_menu.visible)
-	_push(_key_event(KEY_ENTER))
+	_press(_key_event(KEY_ENTER))
 	assert_false(_menu.visible, "Explore begins")
 
 
 func test_an_exhibit_cannot_be_left() -> void:
 	_menu.can_quit = false
-	_push(_key_event(KEY_ESCAPE))
+	_press(_key_event(KEY_ESCAPE))
 	assert_false(_menu.get_button(MainMenu.QUIT).visible)

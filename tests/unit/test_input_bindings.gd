@@ -13,20 +13,6 @@ func after_all() -> void:
 	InputBindings.new().apply()
 
 
-func _key(key: Key) -> InputEventKey:
-	var event := InputEventKey.new()
-	event.physical_keycode = key
-	event.pressed = true
-	return event
-
-
-func _button(button: JoyButton) -> InputEventJoypadButton:
-	var event := InputEventJoypadButton.new()
-	event.button_index = button
-	event.pressed = true
-	return event
-
-
 func _own_actions() -> Array[StringName]:
 	var actions: Array[StringName] = []
 	for action in InputMap.get_actions():
@@ -78,36 +64,36 @@ func test_mouse_buttons_that_the_view_needs_cannot_be_bound() -> void:
 
 
 func test_another_key_takes_the_place_of_the_old_one_alone() -> void:
-	assert_true(_bindings.bind(&"toggle_flight", _key(KEY_U)))
+	assert_true(_bindings.bind(&"toggle_flight", DeviceInput.key(KEY_U)))
 	assert_eq(_bindings.words_of(&"toggle_flight"), PackedStringArray(["pad:a", "key:U"]))
 	_bindings.apply()
-	assert_true(InputMap.event_is_action(_key(KEY_U), &"toggle_flight"))
-	assert_false(InputMap.event_is_action(_key(KEY_F), &"toggle_flight"))
-	assert_true(InputMap.event_is_action(_button(JOY_BUTTON_A), &"toggle_flight"))
+	assert_true(InputMap.event_is_action(DeviceInput.key(KEY_U), &"toggle_flight"))
+	assert_false(InputMap.event_is_action(DeviceInput.key(KEY_F), &"toggle_flight"))
+	assert_true(InputMap.event_is_action(DeviceInput.button(JOY_BUTTON_A), &"toggle_flight"))
 
 
 func test_as_at_first_again() -> void:
-	_bindings.bind(&"toggle_flight", _key(KEY_U))
-	_bindings.bind(&"toggle_map", _key(KEY_Y))
+	_bindings.bind(&"toggle_flight", DeviceInput.key(KEY_U))
+	_bindings.bind(&"toggle_map", DeviceInput.key(KEY_Y))
 	_bindings.reset(&"toggle_flight")
 	assert_false(_bindings.is_changed(&"toggle_flight"))
 	assert_true(_bindings.is_changed(&"toggle_map"))
 	_bindings.reset_all()
 	assert_eq(_bindings.to_json(), {})
 	_bindings.apply()
-	assert_true(InputMap.event_is_action(_key(KEY_F), &"toggle_flight"))
-	assert_true(InputMap.event_is_action(_key(KEY_M), &"toggle_map"))
+	assert_true(InputMap.event_is_action(DeviceInput.key(KEY_F), &"toggle_flight"))
+	assert_true(InputMap.event_is_action(DeviceInput.key(KEY_M), &"toggle_map"))
 
 
 func test_binding_what_it_had_is_no_change() -> void:
 	_bindings.clear(&"toggle_map", InputBindings.Device.KEYBOARD)
 	assert_eq(_bindings.words_of(&"toggle_map").size(), 0)
-	_bindings.bind(&"toggle_map", _key(KEY_M))
+	_bindings.bind(&"toggle_map", DeviceInput.key(KEY_M))
 	assert_eq(_bindings.to_json(), {})
 
 
 func test_changes_are_kept_as_plain_data() -> void:
-	_bindings.bind(&"toggle_flight", _key(KEY_U))
+	_bindings.bind(&"toggle_flight", DeviceInput.key(KEY_U))
 	var motion := InputEventJoypadMotion.new()
 	motion.axis = JOY_AXIS_LEFT_Y
 	motion.axis_value = -0.8
@@ -130,17 +116,17 @@ func test_the_projects_bindings_do_not_clash() -> void:
 
 
 func test_a_clash_is_found_where_both_count() -> void:
-	_bindings.bind(&"toggle_map", _key(KEY_W))
+	_bindings.bind(&"toggle_map", DeviceInput.key(KEY_W))
 	assert_eq(_bindings.rivals(&"toggle_map", "key:W"), [&"fly_forward"] as Array[StringName])
 	assert_eq(_bindings.rivals(&"fly_forward", "key:W"), [&"toggle_map"] as Array[StringName])
 	# Going round and flying are never at the same time.
-	_bindings.bind(&"fly_up", _key(KEY_PAGEUP))
+	_bindings.bind(&"fly_up", DeviceInput.key(KEY_PAGEUP))
 	assert_eq(_bindings.rivals(&"fly_up", "key:PageUp").size(), 0)
 	# On a ride the press is for the ride.
-	_bindings.bind(&"toggle_names", _key(KEY_SPACE))
+	_bindings.bind(&"toggle_names", DeviceInput.key(KEY_SPACE))
 	assert_eq(_bindings.rivals(&"toggle_names", "key:Space").size(), 0)
 	# But not for what is held.
-	_bindings.bind(&"ride_pause", _key(KEY_A))
+	_bindings.bind(&"ride_pause", DeviceInput.key(KEY_A))
 	assert_eq(_bindings.rivals(&"ride_pause", "key:A"), [&"fly_left"] as Array[StringName])
 
 
@@ -150,10 +136,12 @@ func test_nobody_is_locked_out() -> void:
 		if action.begins_with("ui_") or ActionList.FIXED.has(action):
 			menus[action] = InputMap.action_get_events(action)
 	assert_true(menus.has(&"toggle_menu"))
-	assert_false(_bindings.bind(&"toggle_map", _key(KEY_ESCAPE)), "Escape opens the menu")
-	assert_false(_bindings.bind(&"toggle_map", _button(JOY_BUTTON_START)))
-	assert_false(_bindings.bind(&"toggle_menu", _key(KEY_U)))
-	assert_false(_bindings.bind(&"ui_accept", _key(KEY_U)))
+	assert_false(
+		_bindings.bind(&"toggle_map", DeviceInput.key(KEY_ESCAPE)), "Escape opens the menu"
+	)
+	assert_false(_bindings.bind(&"toggle_map", DeviceInput.button(JOY_BUTTON_START)))
+	assert_false(_bindings.bind(&"toggle_menu", DeviceInput.key(KEY_U)))
+	assert_false(_bindings.bind(&"ui_accept", DeviceInput.key(KEY_U)))
 	_bindings.clear(&"toggle_menu", InputBindings.Device.KEYBOARD)
 	_bindings.clear(&"ui_cancel", InputBindings.Device.KEYBOARD)
 	for action in ActionList.actions():

@@ -28,37 +28,6 @@ func after_each() -> void:
 	TranslationServer.set_locale(_locale)
 
 
-func _key(key: Key) -> InputEventKey:
-	var event := InputEventKey.new()
-	event.keycode = key
-	event.physical_keycode = key
-	event.pressed = true
-	return event
-
-
-func _button(button: JoyButton) -> InputEventJoypadButton:
-	var event := InputEventJoypadButton.new()
-	event.button_index = button
-	event.pressed = true
-	return event
-
-
-# Through the input, which also remembers what is pressed.
-func _press(event: InputEvent) -> void:
-	_send(event)
-	var released := event.duplicate() as InputEvent
-	if released is InputEventKey:
-		(released as InputEventKey).pressed = false
-	elif released is InputEventJoypadButton:
-		(released as InputEventJoypadButton).pressed = false
-	_send(released)
-
-
-func _send(event: InputEvent) -> void:
-	Input.parse_input_event(event)
-	Input.flush_buffered_events()
-
-
 func _focus() -> Control:
 	return get_viewport().gui_get_focus_owner()
 
@@ -78,7 +47,7 @@ func _ask(cell: BindingCell) -> void:
 	_screen.turn_to(SettingList.PAGES.find(SettingList.CONTROLS))
 	await wait_process_frames(1)
 	cell.grab_focus()
-	_press(_key(KEY_ENTER))
+	DeviceInput.press(DeviceInput.key(KEY_ENTER))
 	await wait_process_frames(1)
 
 
@@ -89,20 +58,25 @@ func _assert_all_is_changed(page: StringName, down: InputEvent, ways: Array[Inpu
 			continue
 		for way in ways:
 			if _settings.is_initial(setting.key):
-				_press(way)
+				DeviceInput.press(way)
 		assert_false(_settings.is_initial(setting.key), "%s is changed" % setting.key)
-		_press(down)
+		DeviceInput.press(down)
 		await wait_process_frames(1)
 
 
 func test_every_setting_is_changed_by_either_device() -> void:
 	var devices: Array[Array] = [
-		[_key(KEY_DOWN), _key(KEY_RIGHT), _key(KEY_LEFT), _key(KEY_PAGEDOWN)],
 		[
-			_button(JOY_BUTTON_DPAD_DOWN),
-			_button(JOY_BUTTON_DPAD_RIGHT),
-			_button(JOY_BUTTON_DPAD_LEFT),
-			_button(JOY_BUTTON_RIGHT_SHOULDER),
+			DeviceInput.key(KEY_DOWN),
+			DeviceInput.key(KEY_RIGHT),
+			DeviceInput.key(KEY_LEFT),
+			DeviceInput.key(KEY_PAGEDOWN)
+		],
+		[
+			DeviceInput.button(JOY_BUTTON_DPAD_DOWN),
+			DeviceInput.button(JOY_BUTTON_DPAD_RIGHT),
+			DeviceInput.button(JOY_BUTTON_DPAD_LEFT),
+			DeviceInput.button(JOY_BUTTON_RIGHT_SHOULDER),
 		],
 	]
 	for device in devices:
@@ -110,7 +84,7 @@ func test_every_setting_is_changed_by_either_device() -> void:
 			assert_eq(_tab(), at)
 			await wait_process_frames(1)
 			await _assert_all_is_changed(SettingList.PAGES[at], device[0], [device[1], device[2]])
-			_press(device[3])
+			DeviceInput.press(device[3])
 		for page in SettingList.PAGES:
 			_settings.reset_page(page)
 	for key in SettingList.keys():
@@ -118,21 +92,23 @@ func test_every_setting_is_changed_by_either_device() -> void:
 
 
 func test_pages_turn_both_ways_round() -> void:
-	for event: InputEvent in [_key(KEY_PAGEUP), _button(JOY_BUTTON_LEFT_SHOULDER)]:
+	for event: InputEvent in [
+		DeviceInput.key(KEY_PAGEUP), DeviceInput.button(JOY_BUTTON_LEFT_SHOULDER)
+	]:
 		var before := _tab()
-		_press(event)
+		DeviceInput.press(event)
 		assert_eq(_tab(), posmod(before - 1, 5))
-	var both := _key(KEY_TAB)
+	var both := DeviceInput.key(KEY_TAB)
 	both.ctrl_pressed = true
-	_press(both)
+	DeviceInput.press(both)
 	assert_eq(_tab(), 4)
 
 
 func test_it_closes() -> void:
-	for event: InputEvent in [_key(KEY_ESCAPE), _button(JOY_BUTTON_B)]:
+	for event: InputEvent in [DeviceInput.key(KEY_ESCAPE), DeviceInput.button(JOY_BUTTON_B)]:
 		_screen.open()
 		assert_true(_screen.visible)
-		_press(event)
+		DeviceInput.press(event)
 		assert_false(_screen.visible)
 
 
@@ -146,7 +122,7 @@ func test_a_page_is_reset() -> void:
 
 func test_reset_button_is_reached_from_the_last_row() -> void:
 	for i in 12:
-		_press(_key(KEY_DOWN))
+		DeviceInput.press(DeviceInput.key(KEY_DOWN))
 		await wait_process_frames(1)
 	assert_eq(_focus().get_parent().name, &"Foot")
 
@@ -156,9 +132,9 @@ func test_a_key_is_bound() -> void:
 	await _ask(cell)
 	var capture: BindingCapture = _screen.get_node("%Capture")
 	assert_true(capture.visible)
-	_press(_button(JOY_BUTTON_Y))
+	DeviceInput.press(DeviceInput.button(JOY_BUTTON_Y))
 	assert_true(capture.visible, "a button is no key")
-	_press(_key(KEY_U))
+	DeviceInput.press(DeviceInput.key(KEY_U))
 	assert_false(capture.visible)
 	assert_eq(_settings.get_value(&"bindings"), {"toggle_map": ["key:U"]})
 	assert_eq(cell.words(), "U")
@@ -168,7 +144,7 @@ func test_a_key_is_bound() -> void:
 func test_a_button_is_bound_even_the_one_that_goes_back() -> void:
 	var cell := _cell(&"toggle_map", InputBindings.Device.GAMEPAD)
 	await _ask(cell)
-	_press(_button(JOY_BUTTON_B))
+	DeviceInput.press(DeviceInput.button(JOY_BUTTON_B))
 	assert_true(_screen.visible)
 	assert_eq(_settings.get_value(&"bindings"), {"toggle_map": ["key:M", "pad:b"]})
 	var words: Label = _screen.get_node("%Words")
@@ -179,7 +155,7 @@ func test_escape_and_time_leave_it_as_it_is() -> void:
 	var capture: BindingCapture = _screen.get_node("%Capture")
 	var cell := _cell(&"toggle_map", InputBindings.Device.KEYBOARD)
 	await _ask(cell)
-	_press(_key(KEY_ESCAPE))
+	DeviceInput.press(DeviceInput.key(KEY_ESCAPE))
 	assert_false(capture.visible)
 	assert_true(_screen.visible, "Escape ended the question alone")
 	await _ask(cell)
@@ -193,7 +169,7 @@ func test_escape_and_time_leave_it_as_it_is() -> void:
 
 func test_what_opens_the_menu_is_not_given_away() -> void:
 	await _ask(_cell(&"toggle_map", InputBindings.Device.GAMEPAD))
-	_press(_button(JOY_BUTTON_START))
+	DeviceInput.press(DeviceInput.button(JOY_BUTTON_START))
 	assert_true(_settings.is_initial(&"bindings"))
 	assert_string_contains((_screen.get_node("%Words") as Label).text, "menu")
 
@@ -203,13 +179,13 @@ func test_clear_and_as_at_first() -> void:
 	_screen.turn_to(SettingList.PAGES.find(SettingList.CONTROLS))
 	await wait_process_frames(1)
 	for pair: Array in [
-		[_key(KEY_DELETE), _key(KEY_BACKSPACE)],
-		[_button(JOY_BUTTON_X), _button(JOY_BUTTON_Y)],
+		[DeviceInput.key(KEY_DELETE), DeviceInput.key(KEY_BACKSPACE)],
+		[DeviceInput.button(JOY_BUTTON_X), DeviceInput.button(JOY_BUTTON_Y)],
 	]:
 		cell.grab_focus()
-		_press(pair[0])
+		DeviceInput.press(pair[0])
 		assert_eq(_settings.get_value(&"bindings"), {"toggle_map": []})
-		_press(pair[1])
+		DeviceInput.press(pair[1])
 		assert_true(_settings.is_initial(&"bindings"))
 
 

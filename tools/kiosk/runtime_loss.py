@@ -5,12 +5,12 @@ from __future__ import annotations
 
 import json
 import os
-import subprocess
 import time
 from collections.abc import Mapping
 from pathlib import Path
 
-from setup import kiosk, paths, process
+from kiosk.running_exhibit import RunningExhibit
+from setup import kiosk
 from setup.simulated_headset import SimulatedHeadset
 
 _SETTINGS: dict[str, object] = {"mode": "headset", "fullscreen": False, "pin": "4711", "daily_restart_hour": -1}
@@ -25,37 +25,31 @@ def run(engine: Path, headset: SimulatedHeadset, folder: Path, environment: Mapp
         config=config, engine=["--rendering-method", "mobile", "--audio-driver", "Dummy", "--resolution", "320x180"],
         exhibit=["--few-stars"],
     )
-    command = ["xvfb-run", "-a", "-s", "-screen 0 640x360x24", str(engine), "--path", str(paths.ROOT)]
     env = {**environment, **headset.environment(), "XDG_DATA_HOME": str(folder / "data")}
-    with (folder / "headset.log").open("wb") as sink:
-        supervisor = subprocess.Popen(
-            [*command, *kiosk.engine_arguments(wish)], cwd=paths.ROOT, env=env, stdin=subprocess.DEVNULL, stdout=sink,
-            stderr=subprocess.STDOUT, start_new_session=True,
-        )
-        try:
-            return _lose_and_find(headset, logs)
-        finally:
-            process.end_group(supervisor)
+    with (folder / "headset.log").open("wb") as sink, RunningExhibit(engine, wish, logs, env, sink) as exhibit:
+        wrong = _lose_and_find(headset, exhibit, logs / "supervisor.log")
+    if not wrong and exhibit.outlived:
+        wrong = "the program outlives its supervisor"
+    return wrong
 
 
-def _lose_and_find(headset: SimulatedHeadset, logs: Path) -> str:
-    if not _waits(logs, 0):
+def _lose_and_find(headset: SimulatedHeadset, exhibit: RunningExhibit, log: Path) -> str:
+    if not _waits(exhibit, 0):
         return "the exhibit did not come up in the headset"
-    first = _pid(logs)
+    first = exhibit.pid()
     headset.kill()
-    log = logs / "supervisor.log"
     for words in ("the headset's runtime has gone", "the headset's runtime is not there"):
         if not _appears(log, words):
             return f"after the runtime's death supervisor.log does not say that {words}"
     headset.start()
-    return "" if _waits(logs, first) else "the exhibit did not come back with the runtime"
+    return "" if _waits(exhibit, first) else "the exhibit did not come back with the runtime"
 
 
-def _waits(logs: Path, former: int) -> bool:
+def _waits(exhibit: RunningExhibit, former: int) -> bool:
     """Does another program than `former` wait for visitors in the headset, before patience ends?"""
     deadline = time.monotonic() + _PATIENCE_S
     while time.monotonic() < deadline:
-        if _beat(logs).get("ready") and _pid(logs) != former:
+        if exhibit.beat().get("ready") and exhibit.pid() != former:
             return True
         time.sleep(0.2)
     return False
@@ -68,15 +62,3 @@ def _appears(log: Path, words: str) -> bool:
             return True
         time.sleep(0.2)
     return False
-
-
-def _pid(logs: Path) -> int:
-    return int(str(_beat(logs).get("pid", 0)))
-
-
-def _beat(logs: Path) -> dict[str, object]:
-    try:
-        beat = json.loads((logs / "heartbeat.json").read_text(encoding="utf-8"))
-    except (OSError, ValueError):
-        return {}
-    return beat if isinstance(beat, dict) else {}

@@ -12,7 +12,6 @@ import json
 import os
 import random
 import signal
-import subprocess
 import sys
 import tempfile
 import time
@@ -22,7 +21,8 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
 from kiosk import soak_report  # noqa: E402
-from setup import kiosk, paths, prepare, process  # noqa: E402
+from kiosk.running_exhibit import RunningExhibit, megabytes  # noqa: E402
+from setup import kiosk, prepare  # noqa: E402
 
 _SETTINGS: dict[str, object] = {
     "mode": "screen", "languages": ["de", "en"], "health_notice": "always", "idle_seconds": 30, "visit_minutes": 1.2,
@@ -36,8 +36,6 @@ _COMES_BACK_S = 100.0  # the supervisor waits up to a minute
 _WARM_S = 300.0
 _MOST_GROWTH = 1.0  # megabytes a minute
 _LONG_S = 300.0
-_SUPERVISED_BY = "--supervised-by="
-_ORPHAN_S = 20.0  # it looks every five seconds
 
 
 class Soak:
@@ -64,49 +62,24 @@ class Soak:
         self._config.write_text(json.dumps(_SETTINGS), encoding="utf-8")
         env = {**self._environment, "XDG_DATA_HOME": str(data)}
         with (folder / "output.log").open("wb") as sink:
-            supervisor = subprocess.Popen(
-                self._command(), cwd=paths.ROOT, env=env, stdin=subprocess.DEVNULL, stdout=sink,
-                stderr=subprocess.STDOUT, start_new_session=True,
-            )
-            try:
-                self._live(supervisor)
-            finally:
-                self._end_supervisor()
-                process.end_group(supervisor)
+            self._exhibit = RunningExhibit(self._engine, self._wish(), self._logs, env, sink)
+            with self._exhibit:
+                self._live()
+        if self._exhibit.outlived:
+            self.wrong.append("the program outlives its supervisor")
         rows = [f"{pid},{at:.1f},{memory:.1f}" for pid, samples in self._samples.items() for at, memory in samples]
         (folder / "memory.csv").write_text("\n".join(["process,seconds,megabytes", *rows]) + "\n", encoding="utf-8")
         self._judge(folder / "output.log")
 
-    def _end_supervisor(self) -> None:
-        """Ends it alone, while the screen is still there: the program then ends by itself."""
-        pid = self._pid()
-        try:
-            words = Path(f"/proc/{pid}/cmdline").read_text(encoding="utf-8").split("\0")
-        except OSError:
-            return
-        named = [word.removeprefix(_SUPERVISED_BY) for word in words if word.startswith(_SUPERVISED_BY)]
-        for number in named:
-            os.kill(int(number), signal.SIGTERM)
-        deadline = time.monotonic() + _ORPHAN_S
-        while time.monotonic() < deadline:
-            if _megabytes(pid) == 0.0:
-                return
-            time.sleep(0.2)
-        self.wrong.append("the program outlives its supervisor")
-        os.kill(pid, signal.SIGKILL)
-
-    def _command(self) -> list[str]:
-        wish = kiosk.Wish(
+    def _wish(self) -> kiosk.Wish:
+        return kiosk.Wish(
             config=self._config,
             engine=["--rendering-method", "gl_compatibility", "--audio-driver", "Dummy", "--resolution", "320x180",
                     "--max-fps", "30"],
             exhibit=["--few-stars", f"--time-scale={_TIME_SCALE}", f"--simulated-visitors={self._random.randrange(1000)}"],
         )
-        # The screen is to outlive the supervisor, as in a museum.
-        screen = ["xvfb-run", "-a", "-s", "-screen 0 640x360x24", "sh", "-c", f'"$@"; sleep {_ORPHAN_S + 5.0:.0f}', "sh"]
-        return [*screen, str(self._engine), "--path", str(paths.ROOT), *kiosk.engine_arguments(wish)]
 
-    def _live(self, supervisor: subprocess.Popen[bytes]) -> None:
+    def _live(self) -> None:
         ends = time.monotonic() + self._seconds
         if not self._wait_for_life(0):
             return
@@ -115,27 +88,27 @@ class Soak:
         calm = ends - 0.5 * self._seconds if self._seconds >= _LONG_S else ends - 8.0
         every = 45.0 if self._seconds >= _LONG_S else max(self._seconds / (len(faults) + 3), 6.0)
         turn = 0
-        while time.monotonic() < ends and supervisor.poll() is None and not self.wrong:
+        while time.monotonic() < ends and self._exhibit.status() is None and not self.wrong:
             self._watch(min(every, max(ends - time.monotonic(), 0.1)))
             if time.monotonic() < calm:
                 faults[turn % len(faults)]()
                 turn += 1
-        if supervisor.poll() is not None:
-            self.wrong.append(f"the supervisor ended with status {supervisor.returncode}")
+        if self._exhibit.status() is not None:
+            self.wrong.append(f"the supervisor ended with status {self._exhibit.status()}")
         # A visit that is on shall end by itself, not with the program.
         deadline = time.monotonic() + 20.0
-        while time.monotonic() < deadline and self._beat().get("step") != "attract":
+        while time.monotonic() < deadline and self._exhibit.beat().get("step") != "attract":
             time.sleep(0.05)
         self._check_health()
 
     def _watch(self, seconds: float) -> None:
         deadline = time.monotonic() + seconds
         while time.monotonic() < deadline:
-            beat = self._beat()
+            beat = self._exhibit.beat()
             pid = int(str(beat.get("pid", 0)))
             if beat.get("step") == "attract" and beat.get("ready"):
                 self._nodes.append(int(str(beat["nodes"])))
-            memory = _megabytes(pid)
+            memory = megabytes(pid)
             if memory > 0.0:
                 self._samples.setdefault(pid, []).append((time.monotonic(), memory))
             time.sleep(0.5)
@@ -166,13 +139,13 @@ class Soak:
             if log.exists():
                 log.rename(log.with_suffix(".kept"))
             log.symlink_to("/dev/full")
-        number = self._beat().get("visit", 0)
+        number = self._exhibit.beat().get("visit", 0)
         fault = ""
         deadline = time.monotonic() + 40.0
-        while time.monotonic() < deadline and (self._beat().get("visit", 0) < number + 2 or not fault):
-            fault = fault or self._beat().get("log_fault", "")
+        while time.monotonic() < deadline and (self._exhibit.beat().get("visit", 0) < number + 2 or not fault):
+            fault = fault or self._exhibit.beat().get("log_fault", "")
             time.sleep(0.2)
-        if self._beat().get("visit", 0) < number + 2:
+        if self._exhibit.beat().get("visit", 0) < number + 2:
             self.wrong.append("with a full disk no visitors come any more")
         if "cannot be written" not in fault:
             self.wrong.append("nothing was said of a full disk")
@@ -182,15 +155,15 @@ class Soak:
             if log.with_suffix(".kept").exists():
                 log.with_suffix(".kept").rename(log)
         deadline = time.monotonic() + 40.0
-        while time.monotonic() < deadline and self._beat().get("log_fault", ""):
+        while time.monotonic() < deadline and self._exhibit.beat().get("log_fault", ""):
             time.sleep(0.2)
-        if self._beat().get("log_fault", ""):
+        if self._exhibit.beat().get("log_fault", ""):
             self.wrong.append("the log does not go on once there is room again")
 
     def _end_program(self, how: signal.Signals) -> None:
         if self.wrong:
             return
-        pid = self._pid()
+        pid = self._exhibit.pid()
         try:
             os.kill(pid, how)
         except ProcessLookupError:
@@ -202,7 +175,7 @@ class Soak:
     def _wait_for_life(self, former: int) -> bool:
         deadline = time.monotonic() + _COMES_BACK_S
         while time.monotonic() < deadline:
-            if self._pid() not in (0, former) and _megabytes(self._pid()) > 0.0:
+            if self._exhibit.pid() not in (0, former) and megabytes(self._exhibit.pid()) > 0.0:
                 return True
             time.sleep(0.1)
         self.wrong.append(f"the program did not come back within {_COMES_BACK_S:.0f} s")
@@ -246,25 +219,6 @@ class Soak:
         if self._nodes and max(self._nodes) > self._nodes[0]:
             wrong.append(f"nodes are left over: {self._nodes[0]} before the first visit, {max(self._nodes)} later")
         return wrong
-
-    def _beat(self) -> dict[str, object]:
-        try:
-            beat = json.loads((self._logs / "heartbeat.json").read_text(encoding="utf-8"))
-        except (OSError, ValueError):
-            return {}
-        return beat if isinstance(beat, dict) else {}
-
-    def _pid(self) -> int:
-        return int(str(self._beat().get("pid", 0)))
-
-
-def _megabytes(pid: int) -> float:
-    """Resident memory of a process; 0 when there is none."""
-    try:
-        pages = int(Path(f"/proc/{pid}/statm").read_text(encoding="ascii").split()[1])
-    except (OSError, ValueError, IndexError):
-        return 0.0
-    return pages * os.sysconf("SC_PAGE_SIZE") / 1e6
 
 
 def main(arguments: list[str]) -> int:

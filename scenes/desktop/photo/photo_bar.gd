@@ -99,15 +99,11 @@ func refresh() -> void:
 # One after the other by up and down alone, as sliders and steppers take left and right.
 func _chain_focus() -> void:
 	var chain: Array[Control] = [_exposure, _fov, _roll, _stars, _size, _thirds, _png, _exr, _done]
-	for i in chain.size():
-		chain[i].focus_entered.connect(queue_redraw)
-		chain[i].focus_exited.connect(queue_redraw)
-		chain[i].item_rect_changed.connect(queue_redraw)
-		var next := chain[(i + 1) % chain.size()]
-		chain[i].focus_neighbor_bottom = chain[i].get_path_to(next)
-		chain[i].focus_next = chain[i].get_path_to(next)
-		next.focus_neighbor_top = next.get_path_to(chain[i])
-		next.focus_previous = next.get_path_to(chain[i])
+	FocusRing.link(chain)
+	for control in chain:
+		control.focus_entered.connect(queue_redraw)
+		control.focus_exited.connect(queue_redraw)
+		control.item_rect_changed.connect(queue_redraw)
 
 
 func _axes() -> Basis:

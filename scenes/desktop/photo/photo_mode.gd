@@ -11,6 +11,10 @@ signal saved(picture: String, shot: String)
 signal failed(reason: String)
 
 const BAR_ACTION: StringName = &"photo_bar"
+## What the bar changes, to be put back.
+const SKY_PROPERTIES: Array[StringName] = [
+	&"exposure", &"auto_exposure", &"psf_model", &"aperture_mm"
+]
 ## Actions that others would answer to, were they not kept back here.
 const KEPT_BACK: Array[StringName] = [&"toggle_help", &"toggle_menu"]
 const NOTE_SECONDS: float = 8.0
@@ -31,7 +35,7 @@ const HINT_SECONDS: float = 3.0
 ## Where photos go; empty: the user's folder for pictures.
 var folder: String = ""
 
-var _look: PhotoLook
+var _before := KeptProperties.new()
 var _map_was_open: bool = false
 var _disk_pace: float = 0.0
 
@@ -134,7 +138,8 @@ func save(kind: String, resolution := Vector2i.ZERO) -> void:
 
 
 func _on_open() -> void:
-	_look = PhotoLook.of(sky, camera)
+	_before.keep(sky, SKY_PROPERTIES)
+	_before.keep(camera, [&"fov"])
 	# What was metered last stays.
 	sky.exposure = sky.get_effective_exposure()
 	sky.auto_exposure = false
@@ -149,7 +154,7 @@ func _on_open() -> void:
 
 
 func _on_close() -> void:
-	_look.put_back(sky, camera)
+	_before.restore()
 	_taker.rest()
 	if _map_was_open:
 		map.open()

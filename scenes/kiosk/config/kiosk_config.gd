@@ -27,9 +27,9 @@ static func of_program() -> KioskConfig:
 ## Where the file is: named on the command line, else beside the program (`beside`, empty while the
 ## project runs in the engine), else in the folder of the program's own files.
 static func find(arguments: PackedStringArray, beside: String) -> String:
-	for argument in arguments:
-		if argument.begins_with(ARGUMENT):
-			return argument.trim_prefix(ARGUMENT)
+	var named := CommandLine.value(arguments, ARGUMENT)
+	if not named.is_empty():
+		return named
 	return (beside if not beside.is_empty() else "user://").path_join(FILE_NAME)
 
 

@@ -48,6 +48,4 @@ func fit() -> void:
 
 ## Takes the keys away that leave the program or its full screen.
 func forbid_leaving() -> void:
-	for action: StringName in [&"toggle_fullscreen"]:
-		if InputMap.has_action(action):
-			InputMap.action_erase_events(action)
+	InputMap.action_erase_events(&"toggle_fullscreen")

@@ -50,7 +50,4 @@ func show_state(state: VisitDirector.State, head: Transform3D) -> void:
 func come_to(head: Transform3D) -> void:
 	var room := get_parent_node_3d()
 	var pose := room.global_transform.affine_inverse() * head
-	var back := XrRig.backwards(pose.basis)
-	var place := pose.origin - back * DISTANCE
-	place.y -= DISTANCE * tan(deg_to_rad(LOWER_DEGREES))
-	transform = Transform3D(Basis(Vector3.UP.cross(back), Vector3.UP, back), place)
+	transform = XrRig.before(pose, DISTANCE, LOWER_DEGREES)

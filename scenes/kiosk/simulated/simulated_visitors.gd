@@ -54,11 +54,11 @@ var _is_away: bool = false
 
 func _ready() -> void:
 	set_process(false)
-	for argument in OS.get_cmdline_user_args():
-		if argument.begins_with(ARGUMENT):
-			# Another start, other visitors.
-			_random.seed = hash([argument, OS.get_process_id()])
-			set_process(true)
+	var chosen := CommandLine.value(OS.get_cmdline_user_args(), ARGUMENT)
+	if not chosen.is_empty():
+		# Another start, other visitors.
+		_random.seed = hash([chosen, OS.get_process_id()])
+		set_process(true)
 	kiosk.director.visit_begun.connect(_on_visit_begun)
 
 

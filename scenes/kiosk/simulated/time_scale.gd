@@ -15,7 +15,4 @@ static func of_program() -> float:
 
 
 static func from(arguments: PackedStringArray) -> float:
-	for argument in arguments:
-		if argument.begins_with(ARGUMENT):
-			return clampf(argument.trim_prefix(ARGUMENT).to_float(), 1.0, 1000.0)
-	return 1.0
+	return clampf(CommandLine.value(arguments, ARGUMENT).to_float(), 1.0, 1000.0)

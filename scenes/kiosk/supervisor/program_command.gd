@@ -4,11 +4,11 @@ extends RefCounted
 ## How the supervisor starts the exhibit: the same program, with its own command line less what
 ## concerns the supervisor.
 
-const SUPERVISE: String = "--supervise"
-const KIOSK: String = "--kiosk"
-const SCENE: String = "res://scenes/kiosk/kiosk.tscn"
+const SCENE: String = ProgramMode.SCENES[ProgramMode.Kind.KIOSK]
 ## On the command line, after --: an argument for the engine of the program that is started.
 const ENGINE: String = "--engine="
+## Not handed on as they are.
+const OWN: PackedStringArray = [ProgramMode.SUPERVISOR_ARGUMENT, ProgramMode.KIOSK_ARGUMENT]
 const XR_MODE: String = "--xr-mode"
 
 
@@ -16,11 +16,11 @@ const XR_MODE: String = "--xr-mode"
 ## runs in the engine, empty in an exported program; `headset`: a runtime is looked for.
 static func arguments(user: PackedStringArray, project: String, headset: bool) -> PackedStringArray:
 	var engine: PackedStringArray = []
-	var handed: PackedStringArray = [KIOSK]
+	var handed: PackedStringArray = [ProgramMode.KIOSK_ARGUMENT]
 	for argument in user:
 		if argument.begins_with(ENGINE):
 			engine.append(argument.trim_prefix(ENGINE))
-		elif argument != SUPERVISE and argument != KIOSK:
+		elif not OWN.has(argument):
 			handed.append(argument)
 	if headset and not engine.has(XR_MODE):
 		engine.append_array([XR_MODE, "on"])

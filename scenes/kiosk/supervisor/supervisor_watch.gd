@@ -16,10 +16,10 @@ static func argument() -> String:
 
 ## False where there is no supervisor, and where the system does not tell (there is no /proc).
 static func is_gone(arguments: PackedStringArray) -> bool:
-	for one in arguments:
-		if one.begins_with(ARGUMENT) and DirAccess.dir_exists_absolute(PROCESSES.path_join("self")):
-			return not _lives(one.trim_prefix(ARGUMENT))
-	return false
+	var process := CommandLine.value(arguments, ARGUMENT)
+	if process.is_empty() or not DirAccess.dir_exists_absolute(PROCESSES.path_join("self")):
+		return false
+	return not _lives(process)
 
 
 # One that has ended and that nobody has asked about yet still has its folder.

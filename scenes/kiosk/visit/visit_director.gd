@@ -115,10 +115,6 @@ func set_worn(worn: bool) -> void:
 	_off = 0.0
 
 
-func is_worn() -> bool:
-	return _is_worn
-
-
 ## The language is chosen.
 func take_language() -> void:
 	if state == State.LANGUAGE:

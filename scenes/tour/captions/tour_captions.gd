@@ -12,16 +12,16 @@ const TEXT_SIZE: int = 20
 const SMALL_SIZE: int = 14
 ## Below the band, pixels.
 const MARGIN: float = 24.0
-## What keys and buttons are called on the screen, by what they do.
+const PAUSE: StringName = &"ride_pause"
+## What keys and buttons are called on the screen, by what they do; that for the pause is a user's
+## to choose.
 const KEYS: Dictionary[StringName, String] = {
 	&"previous": "←",
-	&"pause": "Space",
 	&"next": "→",
 	&"leave": "Escape",
 }
 const PADS: Dictionary[StringName, String] = {
 	&"previous": "LB",
-	&"pause": "X",
 	&"next": "RB",
 	&"leave": "B",
 }
@@ -140,7 +140,7 @@ func get_covered_share() -> float:
 func _act(event: InputEvent) -> bool:
 	var pad := event as InputEventJoypadButton
 	var button := pad.button_index if pad != null else JOY_BUTTON_INVALID
-	if event.is_action(&"ride_pause"):
+	if event.is_action(PAUSE):
 		guide.toggle_pause()
 	elif event.is_action(&"ui_cancel"):
 		guide.leave()
@@ -199,8 +199,15 @@ func _show_all() -> void:
 	for what in _buttons:
 		_buttons[what].text = names[what]
 		if keys_shown:
-			var key := PADS[what] if _by_pad else tr(KEYS[what])
-			_buttons[what].text = "%s  [%s]" % [names[what], key]
+			_buttons[what].text = "%s  [%s]" % [names[what], _key_of(what)]
+
+
+func _key_of(what: StringName) -> String:
+	if KEYS.has(what):
+		return PADS[what] if _by_pad else tr(KEYS[what])
+	var pause: Array[StringName] = [PAUSE]
+	var bound := BindingNames.gamepad(pause) if _by_pad else BindingNames.keyboard(pause)
+	return bound.get_slice(BindingNames.BETWEEN, 0)
 
 
 func _show_veil() -> void:

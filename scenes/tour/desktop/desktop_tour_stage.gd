@@ -49,7 +49,7 @@ var _duration: float = 0.0
 var _sky := TourSky.new()
 var _hovering := SkyObserver.new()
 # What was before the tour.
-var _memory := TourMemory.new()
+var _memory := KeptProperties.new()
 var _place: Vector3
 var _orientation: Quaternion
 var _map_was_open: bool = false

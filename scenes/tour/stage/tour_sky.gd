@@ -36,7 +36,7 @@ var overlays: SkyOverlays
 var in_headset: bool = false
 
 var _station: TourStation
-var _memory := TourMemory.new()
+var _memory := KeptProperties.new()
 var _hole_before: bool = true
 var _constellations_before: bool = false
 var _names_before: bool = false

@@ -30,7 +30,7 @@ var _sky := TourSky.new()
 var _hovering := SkyObserver.new()
 var _moving := SkyObserver.new()
 # What was before the tour.
-var _memory := TourMemory.new()
+var _memory := KeptProperties.new()
 var _room: Transform3D
 var _sky_before: Transform3D
 

@@ -155,10 +155,7 @@ func _stand_before(head_pose: Transform3D) -> void:
 	var head := head_pose
 	if room != null:
 		head = room.global_transform.affine_inverse() * head_pose
-	var back := XrRig.backwards(head.basis)
-	var place := head.origin - back * distance
-	place.y -= distance * tan(deg_to_rad(lower_degrees))
-	transform = Transform3D(Basis(Vector3.UP.cross(back), Vector3.UP, back), place)
+	transform = XrRig.before(head, distance, lower_degrees)
 
 
 func _on_hovered(button: BaseButton) -> void:

@@ -136,6 +136,15 @@ static func backwards(looking: Basis) -> Vector3:
 	return back.normalized() if back.length() > 1e-3 else Vector3.BACK
 
 
+## Where something stands upright before a head, turned to it by its bearing alone: `metres` away
+## and so much lower than straight ahead.
+static func before(head_pose: Transform3D, metres: float, lower_degrees: float) -> Transform3D:
+	var back := backwards(head_pose.basis)
+	var drop := Vector3.DOWN * metres * tan(deg_to_rad(lower_degrees))
+	var upright := Basis(Vector3.UP.cross(back), Vector3.UP, back)
+	return Transform3D(upright, head_pose.origin - back * metres + drop)
+
+
 ## Does `change` while the picture is black for a moment; at once where blinks are off. A change
 ## that is asked for during a blink comes after it.
 func blink(change: Callable) -> void:

@@ -13,18 +13,16 @@ static func store(radius: float, hole: Vector3, room: Transform3D, file: String 
 	kept.set_value(SECTION, "radius", radius)
 	kept.set_value(SECTION, "hole", hole)
 	kept.set_value(SECTION, "room", room)
-	var beside := file + ".new"
-	if kept.save(beside) != OK or DirAccess.rename_absolute(beside, file) != OK:
-		push_warning("XR: the visitor's place cannot be kept in %s. Check folder and disk." % file)
+	AtomicFile.write(file, kept.encode_to_text())
 
 
 ## Puts the hole back and returns where the room stood; null when nothing (sensible) was kept. What
 ## was kept is forgotten.
 static func recall(sky: BlackHoleSky, file: String = FILE) -> Variant:
 	var kept := ConfigFile.new()
-	if not FileAccess.file_exists(file) or kept.load(file) != OK:
+	if AtomicFile.read(file, func(text: String) -> bool: return kept.parse(text) == OK).is_empty():
 		return null
-	DirAccess.remove_absolute(file)
+	AtomicFile.remove(file)
 	var radius: Variant = kept.get_value(SECTION, "radius", 0)
 	var hole: Variant = kept.get_value(SECTION, "hole", 0)
 	var room: Variant = kept.get_value(SECTION, "room", 0)

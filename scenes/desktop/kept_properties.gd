@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-class_name TourMemory
+class_name KeptProperties
 extends RefCounted
 ## Properties of nodes as they were, to be put back.
 
