@@ -21,6 +21,8 @@ func test_the_tour_is_shown_station_by_station_and_left() -> void:
 	scene.tour.automatic = false
 	assert_true(scene.tour.begin())
 	assert_true(card.visible, "the card")
+	var shown: int = scene.spectator.cull_mask & card.picture.layers
+	assert_eq(shown, 0, "the spectators read the words below, not the card")
 	var all := RendererScope.is_everything_wanted()
 	for i in scene.tour.tour.stations.size() if all else FEW:
 		if i > 0:

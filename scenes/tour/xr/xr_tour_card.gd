@@ -23,6 +23,7 @@ var _since_refresh: float = 0.0
 
 func _ready() -> void:
 	super()
+	picture.layers = 2  # for the visitor alone: those who stand around read the words below
 	captions = CAPTIONS.instantiate()
 	captions.guide = guide
 	captions.theme = THEME
