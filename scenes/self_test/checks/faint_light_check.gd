@@ -8,8 +8,9 @@ const STARS: int = 20
 const LIGHT: float = 0.0126
 const SPRITE_RADIUS: int = 6
 const MOST_LIGHT: float = 0.05
-## Where sRGB values are blended each star may be half a step of the buffer off.
-const MOST_VALUE: float = 0.12
+## Where sRGB values are blended, the one star and each of the many may be half a step of seven off;
+## cards that round up and down in turns were seen.
+const MOST_VALUE: float = 0.16
 
 
 func _init() -> void:
