@@ -5,7 +5,7 @@ extends Node
 ## in the test's hands. It waits for states, not for frames: the headset has its own clock.
 
 const SCENE: PackedScene = preload("res://scenes/xr/xr.tscn")
-const PATIENCE_SECONDS: float = 15.0
+const PATIENCE_SECONDS: float = 40.0
 
 var headset := SimulatedHeadset.new()
 var scene: XrScene
