@@ -59,6 +59,8 @@ func _look_at_all(locale: String) -> void:
 		var problems := TextCheck.misplaced(scene)
 		if sky.visible:
 			await wait_seconds(0.6)
+			# On a busy machine that is a frame or two, and what fades in has not yet ended.
+			await wait_process_frames(4)
 			await RenderingServer.frame_post_draw
 			var picture: Image = await _encoder.encode(get_window().get_texture().get_image())
 			problems += TextCheck.faint(scene, picture)
