@@ -50,4 +50,4 @@ def with_options(text: str, preset: Preset, options: dict[str, str]) -> str:
 def option_keys(text: str, preset: Preset) -> list[str]:
     """The keys among the options of a preset."""
     section = text.partition(f"[preset.{preset.number}.options]\n")[2].partition("\n[")[0]
-    return re.findall(r"^([\w/-]+)=", section, re.MULTILINE)
+    return re.findall(r"^(\w+(?:/[\w-]+)+)=", section, re.MULTILINE)

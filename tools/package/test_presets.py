@@ -57,16 +57,24 @@ class Copy(unittest.TestCase):
 
 
 class Keys(unittest.TestCase):
-    def test_what_the_editor_tells(self) -> None:
-        told = preset_keys.told("Godot\npreset One\noption a/b\noption c\npreset Two\noption d\n")
-        self.assertEqual(told, {"One": {"a/b", "c"}, "Two": {"d"}})
-
-    def test_misspelt_and_missing(self) -> None:
-        known = {"One": {"custom_template/debug", "custom_template/release", "binary_format/embed"}}
-        wrong = preset_keys.compare(_TEXT, known)
+    def test_misspelt_left_out_and_missing(self) -> None:
+        self.assertEqual(preset_keys.compare(_TEXT, _TEXT), [])
+        wrong = preset_keys.compare(_TEXT.replace("embed_pck", "embed_pkc"), _TEXT)
         self.assertEqual(len(wrong), 2)
-        self.assertRegex(wrong[0], "One.*binary_format/embed_pck")
-        self.assertRegex(wrong[1], "preset Two")
+        self.assertRegex(wrong[0], "One.*knows no option binary_format/embed_pkc")
+        self.assertRegex(wrong[1], "One.*binary_format/embed_pck is left out")
+        wrong = preset_keys.compare(_TEXT, _TEXT[: _TEXT.index("[preset.1]")])
+        self.assertEqual(wrong, ["The editor does not know the preset Two."])
+
+    def test_the_vendors_plugin_is_not_asked(self) -> None:
+        text = _TEXT + "xr_features/enable_meta_plugin=true\nmeta_xr_features/passthrough=1\n"
+        self.assertEqual(preset_keys.compare(text, _TEXT), [])
+
+    def test_without_options(self) -> None:
+        bare = preset_keys.without_options(_TEXT)
+        self.assertEqual(presets.read(bare), presets.read(_TEXT))
+        for preset in presets.read(bare).values():
+            self.assertEqual(presets.option_keys(bare, preset), ["custom_template/release"])
 
 
 class Committed(unittest.TestCase):
@@ -88,6 +96,10 @@ class Committed(unittest.TestCase):
             if key.startswith("custom_template/") or key.startswith("keystore/"):
                 self.assertEqual(value, '""', key)
             self.assertFalse(value.strip('"').startswith(("/", "~")) and "/" in value[2:], line)
+
+    def test_androids_number_follows_the_version(self) -> None:
+        major, minor, patch = (int(part) for part in version.text().split("."))
+        self.assertIn(f"\nversion/code={major * 10000 + minor * 100 + patch}\n", self.text)
 
     def test_the_project_has_the_addons_version(self) -> None:
         project = (paths.ROOT / "project.godot").read_text(encoding="utf-8")
