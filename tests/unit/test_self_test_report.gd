@@ -69,7 +69,9 @@ func test_the_last_line_says_pass_or_fail() -> void:
 func test_json_says_the_same() -> void:
 	var found: Dictionary = JSON.parse_string(SelfTestReport.json([_bad(), _measured(NAN, 1.0)]))
 	assert_false(found["passed"])
-	assert_true(found.has_all(["device", "driver", "renderer", "godot", "addon", "verdict", "report"]))
+	assert_true(
+		found.has_all(["device", "driver", "renderer", "godot", "addon", "verdict", "report"])
+	)
 	var first: Dictionary = found["checks"][0]
 	assert_eq(first["check"], "bad")
 	assert_eq(first["worst"], 2.0)

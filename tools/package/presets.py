@@ -7,6 +7,7 @@ The committed file names no template, for that would be a path of somebody's mac
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -35,13 +36,14 @@ def read(text: str) -> dict[str, Preset]:
     return found
 
 
-def with_options(text: str, preset: Preset, options: dict[str, str]) -> str:
-    """The file's text with other values for texts among the options of a preset."""
+def with_options(text: str, preset: Preset, options: Mapping[str, str | int]) -> str:
+    """The file's text with other values for some of a preset's options."""
     head = f"[preset.{preset.number}.options]\n"
     before, found, after = text.partition(head)
     section, following, rest = after.partition("\n[")
     for key, value in options.items():
-        section, count = re.subn(rf'^{re.escape(key)}=".*"$', lambda _: f'{key}="{value}"', section, flags=re.MULTILINE)
+        line = f'{key}="{value}"' if isinstance(value, str) else f"{key}={value}"
+        section, count = re.subn(rf"^{re.escape(key)}=.*$", lambda _, line=line: line, section, flags=re.MULTILINE)
         if not found or count != 1:
             raise Failure(f"{FILE.name} has no option {key} for {preset.name}; let Godot's export dialog write the file.")
     return before + head + section + following + rest

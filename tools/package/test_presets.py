@@ -2,7 +2,7 @@
 import unittest
 from pathlib import Path
 
-from package import libraries, preset_keys, presets, version
+from package import exports, libraries, preset_keys, presets, version
 from package.presets import Preset
 from setup import paths
 from setup.console import Failure
@@ -42,6 +42,8 @@ class Copy(unittest.TestCase):
     def test_an_option_of_one_preset(self) -> None:
         changed = presets.with_options(_TEXT, self.one, {"custom_template/release": r"/a \1 b"})
         self.assertEqual(changed, _TEXT.replace('release=""', r'release="/a \1 b"', 1))
+        changed = presets.with_options(_TEXT, self.one, {"binary_format/embed_pck": 7})
+        self.assertEqual(changed, _TEXT.replace("embed_pck=false", "embed_pck=7"))
         changed = presets.with_options(_TEXT, self.two, {"custom_template/release": "/b"})
         self.assertEqual(changed, '/b"'.join(_TEXT.rsplit('"', 1)))
 
@@ -77,6 +79,18 @@ class Keys(unittest.TestCase):
             self.assertEqual(presets.option_keys(bare, preset), ["custom_template/release"])
 
 
+class Versions(unittest.TestCase):
+    def test_androids_number_grows(self) -> None:
+        self.assertEqual(version.number("1.2.3"), 10203)
+        self.assertLess(version.number("0.9.9"), version.number("0.10.0"))
+
+    def test_every_preset_takes_the_version(self) -> None:
+        text = presets.FILE.read_text(encoding="utf-8")
+        for preset in presets.read(text).values():
+            changed = presets.with_options(text, preset, exports.version_options(preset))
+            self.assertEqual(changed.count(version.text()), {"Linux": 0, "Windows": 2, "Quest": 1}[preset.name])
+
+
 class Committed(unittest.TestCase):
     """The project's own file."""
 
@@ -96,14 +110,6 @@ class Committed(unittest.TestCase):
             if key.startswith("custom_template/") or key.startswith("keystore/"):
                 self.assertEqual(value, '""', key)
             self.assertFalse(value.strip('"').startswith(("/", "~")) and "/" in value[2:], line)
-
-    def test_androids_number_follows_the_version(self) -> None:
-        major, minor, patch = (int(part) for part in version.text().split("."))
-        self.assertIn(f"\nversion/code={major * 10000 + minor * 100 + patch}\n", self.text)
-
-    def test_the_project_has_the_addons_version(self) -> None:
-        project = (paths.ROOT / "project.godot").read_text(encoding="utf-8")
-        self.assertIn(f'\nconfig/version="{version.text()}"\n', project)
 
     def test_the_description_names_the_libraries(self) -> None:
         description = (paths.ROOT / "addons/blackhole_sky/blackhole_sky.gdextension").read_text(encoding="utf-8")

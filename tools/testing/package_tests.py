@@ -93,9 +93,9 @@ def _second_zip(zip_file: Path, wanted: list[str]) -> str:
 
 def _add(project: FreshProject, zip_file: Path) -> str:
     project.add(zip_file)
-    return project.import_assets()
+    return project.import_assets(after_change=True)
 
 
 def _remove(project: FreshProject) -> str:
     project.remove()
-    return project.import_assets()
+    return project.import_assets(after_change=True)

@@ -69,9 +69,7 @@ func _check_stars() -> void:
 	var size := Vector2(get_viewport().get_visible_rect().size)
 	for i in STARS:
 		var spot := 0.5 * size + Vector2.from_angle(TAU * i / STARS + 0.3) * CIRCLE * size.y
-		var ray: Dictionary = _observer.trace(
-			_camera.position, _camera.project_ray_normal(spot)
-		)
+		var ray: Dictionary = _observer.trace(_camera.position, _camera.project_ray_normal(spot))
 		directions.append(ray["sky_direction"])
 		spots.append(spot)
 	var magnitudes: PackedFloat32Array = []
