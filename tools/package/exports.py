@@ -23,7 +23,7 @@ _PAPERS = ("LICENSE", "THIRDPARTY.md", "addons/blackhole_sky/data/CREDITS.md")
 # Not among the project's assets, and needed: what is imported, and Android's build template where it is installed.
 _KEPT = (".godot", "android")
 # Godot 4.6 ends with status 0 also when it could not export; its errors say why.
-_ERROR = re.compile(r"^(?:ERROR|SCRIPT ERROR): .*", re.MULTILINE)
+_ERROR = re.compile(r"^(?:SCRIPT )?ERROR: (.*?)(?=^   at: |^\S*ERROR: |\Z)", re.MULTILINE | re.DOTALL)
 
 
 class _Parser(argparse.ArgumentParser):
@@ -67,7 +67,7 @@ def make(godot: Godot, preset: Preset, kind: str, out: Path) -> Path:
             "docs/exporting.md goes through the steps.", 3,
         )
     with machine_copy(preset, options) as project:
-        _export(godot, project, preset, kind, program)
+        export(godot, project, preset, kind, program)
     for paper in _PAPERS:
         shutil.copy2(paths.ROOT / paper, out)
     return program
@@ -98,13 +98,19 @@ def machine_copy(preset: Preset, options: Mapping[str, str | int]) -> Iterator[P
         yield project
 
 
-def _export(godot: Godot, project: Path, preset: Preset, kind: str, program: Path) -> None:
+def export(godot: Godot, project: Path, preset: Preset, kind: str, program: Path) -> None:
+    """Lets the engine export a project; a Failure with what it says when it cannot."""
     program.parent.mkdir(parents=True, exist_ok=True)
     program.unlink(missing_ok=True)
     log = paths.LOGS / f"export-{preset.name.lower()}.log"
     command = [godot.executable, "--headless", "--path", project, f"--export-{kind}", preset.name, program]
     status = process.run_logged(command, log, timeout_s=600)
-    errors = _ERROR.findall(log.read_text(encoding="utf-8", errors="replace"))
+    errors = reasons(log.read_text(encoding="utf-8", errors="replace"))
     if status != 0 or errors or not program.is_file():
         why = "\n".join(errors) or tail(log)
         raise Failure(f"Exporting {preset.name} failed (exit status {status}):\n{why}\nAll of the output is in {log}.")
+
+
+def reasons(printed: str) -> list[str]:
+    """The engine's errors in what it printed, all lines of each."""
+    return [error.strip() for error in _ERROR.findall(printed)]

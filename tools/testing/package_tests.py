@@ -7,6 +7,7 @@ import os
 import shutil
 import time
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 from package import command, debian_templates, exports, preset_keys, presets
@@ -58,11 +59,15 @@ def _exported(context: Context) -> list[Case]:
     folder.parent.mkdir(parents=True)
     shutil.move(_FOLDER / "linux", folder)
     program = ExportedProgram(folder / preset.path.name, _FOLDER / "home", _environment(context))
-    return made + [
-        *_in_order("exported program", [("self-test", program.self_test)]),
-        *_in_order("exported program", [("demo", program.demo)]),
-        *_in_order("exported program", [("exhibit", program.exhibit)]),
+    renderers = ["gl_compatibility", "mobile"] if context.all_variants else ["gl_compatibility"]
+    ways: list[tuple[str, Callable[[], str]]] = [
+        *((f"self-test, {renderer}", partial(program.self_test, renderer)) for renderer in renderers),
+        ("demo", program.demo),
+        ("exhibit", program.exhibit),
     ]
+    for way in ways:
+        made += _in_order("exported program", [way])
+    return made
 
 
 def _environment(context: Context) -> dict[str, str]:
