@@ -285,7 +285,7 @@ func _tell_missing(seconds: float, status: int, why: String) -> void:
 
 # While nobody is there.
 func _leave_if_due() -> void:
-	if SupervisorWatch.is_gone(OS.get_cmdline_user_args()):
+	if SupervisorWatch.is_gone(CommandLine.of_program()):
 		leave(ExitStatus.ORPHANED, "supervisor gone")
 	elif DailyRestart.is_due(
 		config.whole("daily_restart_hour"), _started, DailyRestart.local_now()

@@ -23,7 +23,7 @@ func _ready() -> void:
 	get_window().content_scale_factor = PictureScale.text_scale(get_window().size)
 	var interface := XRServer.find_interface("OpenXR")
 	var headset_ready := interface != null and interface.is_initialized()
-	var kind := ProgramMode.of(OS.get_cmdline_user_args(), headset_ready)
+	var kind := ProgramMode.of(CommandLine.of_program(), headset_ready)
 	_path = ProgramMode.SCENES[kind]
 	if kind == ProgramMode.Kind.DESKTOP:
 		RenderingServer.frame_post_draw.connect(_begin, CONNECT_ONE_SHOT)

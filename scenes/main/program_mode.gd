@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 class_name ProgramMode
 extends RefCounted
-## What the program is started as, by its command line (what follows `--`).
+## What the program is started as, by its own arguments (CommandLine).
 
 enum Kind { DESKTOP, HEADSET, KIOSK, SUPERVISOR, SELF_TEST }
 

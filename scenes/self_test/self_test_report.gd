@@ -14,6 +14,7 @@ static func device() -> Dictionary:
 		"renderer": RenderingServer.get_current_rendering_method(),
 		"system": "%s %s" % [OS.get_name(), OS.get_version()],
 		"godot": Engine.get_version_info()["string"],
+		"addon": ProgramVersion.text(),
 	}
 
 
@@ -45,7 +46,8 @@ static func lines(results: Array[CheckResult]) -> PackedStringArray:
 	for result in results:
 		if not result.has_passed():
 			text.append_array(_explanation(result))
-	text.append_array(["", verdict(results)])
+	var word := "PASS" if SelfTest.have_passed(results) else "FAIL"
+	text.append_array(["", "%s: %s" % [word, verdict(results)]])
 	return text
 
 

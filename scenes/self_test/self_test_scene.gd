@@ -27,7 +27,7 @@ func _run() -> void:
 	test.progressed.connect(_on_progressed)
 	var results: Array[CheckResult] = await test.run()
 	print("\n".join(SelfTestReport.lines(results)))
-	var path := file_asked_for(OS.get_cmdline_user_args())
+	var path := file_asked_for(CommandLine.of_program())
 	if not path.is_empty():
 		var file := FileAccess.open(path, FileAccess.WRITE)
 		if file == null or not file.store_string(SelfTestReport.json(results)):

@@ -58,7 +58,7 @@ var _is_placed: bool = false
 
 
 func _enter_tree() -> void:
-	if OS.get_cmdline_user_args().has(NO_FOVEATION):
+	if CommandLine.of_program().has(NO_FOVEATION):
 		($Session as XrSession).foveated = false
 	if StandaloneQuality.is_here():
 		StandaloneQuality.apply($Quality, $Session, $Spectator)
@@ -127,7 +127,7 @@ func recentre() -> void:
 
 # Whoever asks for a strip of pictures is shown them by a visitor that does not exist.
 func _walk_if_asked() -> void:
-	var folder := VisitStrip.folder_from(OS.get_cmdline_user_args())
+	var folder := VisitStrip.folder_from(CommandLine.of_program())
 	if folder.is_empty():
 		return
 	var strip := VisitStrip.new()

@@ -58,10 +58,20 @@ func test_the_table_names_fault_and_remedy() -> void:
 	assert_string_contains(text, RenderingServer.get_current_rendering_method())
 
 
+func test_the_last_line_says_pass_or_fail() -> void:
+	var good := SelfTestReport.lines([_measured(0.0, 1.0, &"good")])
+	assert_true(good[-1].begins_with("PASS: "), good[-1])
+	var bad := SelfTestReport.lines([_bad()])
+	assert_true(bad[-1].begins_with("FAIL: "), bad[-1])
+	assert_string_contains("\n".join(good), "addon     " + ProgramVersion.text())
+
+
 func test_json_says_the_same() -> void:
 	var found: Dictionary = JSON.parse_string(SelfTestReport.json([_bad(), _measured(NAN, 1.0)]))
 	assert_false(found["passed"])
-	assert_true(found.has_all(["device", "driver", "renderer", "godot", "verdict", "report"]))
+	assert_true(
+		found.has_all(["device", "driver", "renderer", "godot", "addon", "verdict", "report"])
+	)
 	var first: Dictionary = found["checks"][0]
 	assert_eq(first["check"], "bad")
 	assert_eq(first["worst"], 2.0)

@@ -9,7 +9,7 @@ import os
 import signal
 import subprocess
 import time
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import IO
 
@@ -21,12 +21,17 @@ _ORPHAN_S = 20.0  # the program looks every five seconds whether its supervisor 
 
 class RunningExhibit:
     """`with RunningExhibit(...)`: it runs; afterwards it does not, and `outlived` tells whether the program had to be
-    killed because it did not end when its supervisor had."""
+    killed because it did not end when its supervisor had. `exported`: the command of a program to take instead of the
+    engine with the project."""
 
-    def __init__(self, engine: Path, wish: kiosk.Wish, logs: Path, environment: Mapping[str, str], sink: IO[bytes]) -> None:
+    def __init__(
+        self, engine: Path, wish: kiosk.Wish, logs: Path, environment: Mapping[str, str], sink: IO[bytes],
+        exported: Sequence[str] = (),
+    ) -> None:
         # The screen is to outlive the supervisor, as in a museum.
         screen = ["xvfb-run", "-a", "-s", "-screen 0 640x360x24", "sh", "-c", f'"$@"; sleep {_ORPHAN_S + 5.0:.0f}', "sh"]
-        self._command = [*screen, str(engine), "--path", str(paths.ROOT), *kiosk.engine_arguments(wish)]
+        project = [str(engine), "--path", str(paths.ROOT), *kiosk.engine_arguments(wish)]
+        self._command = [*screen, *(exported or project)]
         self._environment = environment
         self._sink = sink
         self._logs = logs

@@ -10,6 +10,8 @@ import sys
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from package import command as package
+from package import exports
 from setup import bench, capture, display, kiosk, paths, prepare, screens, self_test, session, xr
 from setup.console import Failure, note, say
 
@@ -122,6 +124,10 @@ SUBCOMMANDS = {
                         bench.run),
     "self-test": Subcommand("is this GPU right? draws, reads back, compares with the exact solution: [OUT.json] "
                             "[--renderer ...]", self_test.run),
+    "package": Subcommand("the addon as a zip, with Windows' library: [--out DIR] [--libraries release,debug,windows]",
+                          package.run),
+    "export": Subcommand("the demo as a program: [Linux|Windows|Quest] [--debug] [--out DIR]; see docs/exporting.md",
+                         exports.run),
     "editor": Subcommand("open the project in the Godot editor", _editor),
     "clean": Subcommand("remove all that was built and drawn; --cache removes the downloads too", _clean),
     "help": Subcommand("show this list", _help),

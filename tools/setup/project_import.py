@@ -53,7 +53,7 @@ def _state(file: Path, root: Path) -> str:
     """What the import takes from a file: of a script its class, of what is loaded as it is only that it is there."""
     name = str(file.relative_to(root))
     try:
-        if file.suffix == ".so":
+        if file.suffix in (".so", ".dll"):
             return ""
         if file.suffix in _LOADED_AS_IT_IS:
             return name

@@ -16,7 +16,7 @@ from functools import partial
 
 from setup import session
 from setup.console import Failure
-from testing import junit, kiosk_tests, programs, scripts, style, xr_tests
+from testing import junit, kiosk_tests, package_tests, programs, scripts, style, xr_tests
 from testing.context import RESULTS, Context
 from testing.junit import Case
 
@@ -61,6 +61,7 @@ STAGES = [
         for renderer in session.RENDERERS
     ),
     Stage("commands", "./run as a visitor uses it", programs.commands_stage),
+    Stage("package", "the addon's zip in a new project, the demo exported", package_tests.stage),
 ]
 
 

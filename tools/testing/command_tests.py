@@ -13,7 +13,8 @@ import unittest
 from pathlib import Path
 
 _ROOT = Path(__file__).resolve().parent.parent.parent
-_SUBCOMMANDS = ("demo", "xr", "kiosk", "capture", "screens", "bake", "lut", "bench", "self-test", "editor", "clean", "help")
+_SUBCOMMANDS = ("demo", "xr", "kiosk", "capture", "screens", "bake", "lut", "bench", "self-test", "package", "export", "editor", "clean",
+                "help")
 
 
 def run(*arguments: str | Path, cwd: Path = _ROOT) -> subprocess.CompletedProcess[str]:
@@ -42,7 +43,8 @@ class CommandLine(unittest.TestCase):
             ["capture"], ["bake", "--chek"], ["clean", "all"], ["bench", "a", "b"], ["bench", "--renderer", "vulcan"],
             ["self-test", "a", "b"], ["screens"], ["self-test", "--renderer", "vulcan"],
             ["demo", "fast"], ["editor", "fast"], ["xr", "fast"], ["xr", "--simulate"],
-            ["kiosk", "fast"], ["kiosk", "--config"],
+            ["kiosk", "fast"], ["kiosk", "--config"], ["package", "fast"], ["package", "--libraries", "release,beos"],
+            ["package", "--libraries", "debug"], ["export", "BeOS"], ["export", "Linux", "--fast"],
         ):
             with self.subTest(arguments):
                 done = run(*arguments)

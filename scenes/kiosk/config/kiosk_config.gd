@@ -21,7 +21,7 @@ var _values: Dictionary = {}
 ## Reads the file that belongs to this run of the program.
 static func of_program() -> KioskConfig:
 	var beside := OS.get_executable_path().get_base_dir() if not OS.has_feature("editor") else ""
-	return from_file(find(OS.get_cmdline_user_args(), beside))
+	return from_file(find(CommandLine.of_program(), beside))
 
 
 ## Where the file is: named on the command line, else beside the program (`beside`, empty while the

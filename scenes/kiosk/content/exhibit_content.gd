@@ -55,7 +55,7 @@ func renew() -> void:
 	add_child(scene)
 	_forget_visitors()
 	_kept = get_sky().panorama
-	if OS.get_cmdline_user_args().has(FEW_STARS):
+	if CommandLine.of_program().has(FEW_STARS):
 		get_sky().magnitude_limit = 4.0
 	_listen()
 	show_to_visitor(false)

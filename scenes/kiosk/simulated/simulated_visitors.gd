@@ -54,7 +54,7 @@ var _is_away: bool = false
 
 func _ready() -> void:
 	set_process(false)
-	var chosen := CommandLine.value(OS.get_cmdline_user_args(), ARGUMENT)
+	var chosen := CommandLine.value(CommandLine.of_program(), ARGUMENT)
 	if not chosen.is_empty():
 		# Another start, other visitors.
 		_random.seed = hash([chosen, OS.get_process_id()])

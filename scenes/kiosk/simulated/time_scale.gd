@@ -10,7 +10,7 @@ static var _scale: float = 0.0
 
 static func of_program() -> float:
 	if _scale == 0.0:
-		_scale = from(OS.get_cmdline_user_args())
+		_scale = from(CommandLine.of_program())
 	return _scale
 
 

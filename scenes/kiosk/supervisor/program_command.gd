@@ -40,6 +40,6 @@ static func of_program(config: KioskConfig) -> PackedStringArray:
 	var project := ""
 	if OS.has_feature("editor"):
 		project = ProjectSettings.globalize_path("res://").trim_suffix("/")
-	var all := arguments(OS.get_cmdline_user_args(), project, config.text("mode") != "screen")
+	var all := arguments(CommandLine.of_program(), project, config.text("mode") != "screen")
 	all.append(SupervisorWatch.argument())
 	return all

@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: MIT
+"""The stage that proves what is handed on: the zip in a user's project, and the exported program."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import time
+from collections.abc import Callable
+from functools import partial
+from pathlib import Path
+
+from package import command, debian_templates, exports, preset_keys, presets
+from package.exported import ExportedProgram, variables
+from package.fresh_project import FreshProject
+from setup import paths
+from setup.console import Failure
+from testing.context import Context
+from testing.junit import Case
+
+_FOLDER = paths.BUILD / "test-results" / "package"
+# Spaces and letters that are not ASCII, as people's folders have them.
+_UNEASY = "Schwarzes Loch – Übung"
+
+
+def stage(context: Context) -> list[Case]:
+    """The zip with this machine's library, the Linux export, the presets; all libraries with --all."""
+    godot = context.project
+    shutil.rmtree(_FOLDER, ignore_errors=True)
+    wanted = ["release", "debug", "windows"] if context.all_variants else ["release"]
+    zip_file = command.make(_FOLDER, wanted)
+    cases = _in_order("zip", [("a second one is the same", lambda: _second_zip(zip_file, wanted))])
+    cases += _in_order("presets", [("have the options that the editor knows", lambda: preset_keys.wrong(godot))])
+    for name in [_UNEASY, "plain"] if context.all_variants else [_UNEASY]:
+        project = FreshProject(godot, _FOLDER / name / "project", context.environment())
+        cases += _in_order(f"project in '{name}'", _steps(project, zip_file))
+    return cases + _exported(context)
+
+
+def _steps(project: FreshProject, zip_file: Path) -> list[tuple[str, Callable[[], str]]]:
+    """The way of a project with the addon and back."""
+    return [
+        ("is imported empty", project.import_assets),
+        ("takes the addon", lambda: _add(project, zip_file)),
+        ("draws the sky", lambda: project.run(with_sky=True)),
+        ("is imported without it", lambda: _remove(project)),
+        ("runs without it", lambda: project.run(with_sky=False)),
+    ]
+
+
+def _exported(context: Context) -> list[Case]:
+    """The Linux export, away from its sources."""
+    godot = context.project
+    preset = presets.read(presets.FILE.read_text(encoding="utf-8"))["Linux"]
+    made = _in_order("export", [("Linux", lambda: str(exports.make(godot, preset, "release", _FOLDER / "linux")) and "")])
+    if made[0].failure:
+        return made
+    folder = _FOLDER / "elsewhere" / _UNEASY
+    folder.parent.mkdir(parents=True)
+    shutil.move(_FOLDER / "linux", folder)
+    program = ExportedProgram(folder / preset.path.name, _FOLDER / "home", _environment(context))
+    renderers = ["gl_compatibility", "mobile"] if context.all_variants else ["gl_compatibility"]
+    ways: list[tuple[str, Callable[[], str]]] = [
+        *((f"self-test, {renderer}", partial(program.self_test, renderer)) for renderer in renderers),
+        ("demo", program.demo),
+        ("exhibit", program.exhibit),
+    ]
+    for way in ways:
+        made += _in_order("exported program", [way])
+    return made
+
+
+def _environment(context: Context) -> dict[str, str]:
+    """What the program needs to find its drivers, where its template is Debian's."""
+    copy = debian_templates.of_cache(paths.cache_dir(), context.engine.version)
+    return variables(copy.environment_script()) if copy else dict(os.environ)
+
+
+def _in_order(group: str, steps: list[tuple[str, Callable[[], str]]]) -> list[Case]:
+    """A case for each step, which says what is wrong or nothing; what follows a failure is not tried."""
+    cases = []
+    for name, step in steps:
+        started = time.monotonic()
+        try:
+            wrong = step()
+        except Failure as failure:
+            wrong = str(failure)
+        cases.append(Case(name, group, time.monotonic() - started, failure=wrong or None))
+        if wrong:
+            break
+    return cases
+
+
+def _second_zip(zip_file: Path, wanted: list[str]) -> str:
+    second = command.make(_FOLDER / "second", wanted)
+    return "" if second.read_bytes() == zip_file.read_bytes() else f"{second} differs from {zip_file}"
+
+
+def _add(project: FreshProject, zip_file: Path) -> str:
+    project.add(zip_file)
+    return project.import_assets(after_change=True)
+
+
+def _remove(project: FreshProject) -> str:
+    project.remove()
+    return project.import_assets(after_change=True)
