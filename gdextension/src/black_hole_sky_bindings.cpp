@@ -80,15 +80,22 @@ PackedStringArray BlackHoleSky::_get_configuration_warnings() const {
 	}
 	const Ref<Environment> environment = get_world_3d()->get_environment();
 	if (environment.is_valid()) {
+		const String where = Engine::get_singleton()->is_editor_hint()
+				? " If it is the editor's preview, add a WorldEnvironment of your own, or switch the preview "
+				  "off "
+				  "in the toolbar of the 3D view."
+				: "";
 		if (environment->get_tonemapper() != Environment::TONE_MAPPER_LINEAR) {
-			warnings.push_back("The environment's tone mapper bends star brightness. Set it to Linear.");
+			warnings.push_back(
+					"The environment's tone mapper bends star brightness. Set it to Linear." + where);
 		}
 		if (environment->is_fog_enabled() || environment->is_volumetric_fog_enabled()) {
-			warnings.push_back("The environment's fog would veil the sky. Switch it off.");
+			warnings.push_back("The environment's fog would veil the sky. Switch it off." + where);
 		}
 		if (environment->get_background() == Environment::BG_SKY) {
 			warnings.push_back("The environment draws a sky of its own, unbent. Set its background to Custom "
-							   "Color, black.");
+							   "Color, black." +
+					where);
 		}
 	}
 	return warnings;

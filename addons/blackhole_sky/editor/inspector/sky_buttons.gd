@@ -11,10 +11,10 @@ const NEW_TABLE: String = "res://schwarzschild.lut"
 
 var _edited: Object
 var _baker: TableBaker
-var _bake := Button.new()
-var _cancel := Button.new()
-var _progress := ProgressBar.new()
-var _give := Button.new()
+var _bake: Button
+var _cancel: Button
+var _progress: ProgressBar
+var _give: Button
 
 
 func _init(edited: Object, baker: TableBaker) -> void:
@@ -26,20 +26,13 @@ func _ready() -> void:
 	var row := HBoxContainer.new()
 	add_child(row)
 	if not _edited is StarCatalogue:
-		_dress(_bake, "Bake Table", "Compute the lensing table anew and keep it in its file", row)
-		_bake.pressed.connect(_on_bake_pressed)
-		_progress.max_value = 1.0
-		_progress.size_flags_horizontal = Control.SIZE_EXPAND_FILL
-		row.add_child(_progress)
-		_dress(_cancel, "Cancel", "Stop computing; the table stays as it was", row)
-		_cancel.pressed.connect(_on_cancel_pressed)
-	var rebuild := Button.new()
-	_dress(
-		rebuild, "Rebuild", "Read the files anew and give the graphics card everything again", row
+		_add_bake(row)
+	var rebuild := _button(
+		"Rebuild", "Read the files anew and give the graphics card everything again", row
 	)
 	rebuild.pressed.connect(_on_rebuild_pressed)
 	if _edited is BlackHoleSky:
-		_dress(_give, "Use Default Data", "Set what is missing: table, stars, background", self)
+		_give = _button("Use Default Data", "Set what is missing: table, stars, background", self)
 		_give.pressed.connect(_on_give_pressed)
 	_show_state()
 
@@ -48,24 +41,38 @@ func _process(_delta: float) -> void:
 	_show_state()
 
 
-func _dress(button: Button, label: String, tooltip: String, into: Container) -> void:
+func _add_bake(row: Container) -> void:
+	_bake = _button("Bake Table", "Compute the lensing table anew and keep it in its file", row)
+	_bake.pressed.connect(_on_bake_pressed)
+	_progress = ProgressBar.new()
+	_progress.max_value = 1.0
+	_progress.size_flags_horizontal = Control.SIZE_EXPAND_FILL
+	row.add_child(_progress)
+	_cancel = _button("Cancel", "Stop computing; the table stays as it was", row)
+	_cancel.pressed.connect(_on_cancel_pressed)
+
+
+func _button(label: String, tooltip: String, into: Container) -> Button:
+	var button := Button.new()
 	button.text = label
 	button.tooltip_text = tooltip
 	button.size_flags_horizontal = Control.SIZE_EXPAND_FILL
 	into.add_child(button)
+	return button
 
 
 func _show_state() -> void:
 	if not is_instance_valid(_edited):
 		return
-	var bake := _baker.bake_of(_client())
-	_bake.visible = bake == null
-	_progress.visible = bake != null
-	_cancel.visible = bake != null
-	if bake != null:
-		_progress.value = bake.progress()
-	var sky := _edited as BlackHoleSky
-	_give.visible = sky != null and (sky.table == null or sky.catalogue == null)
+	if _bake != null:
+		var bake := _baker.bake_of(_client())
+		_bake.visible = bake == null
+		_progress.visible = bake != null
+		_cancel.visible = bake != null
+		_progress.value = bake.progress() if bake != null else 0.0
+	if _give != null:
+		var sky: BlackHoleSky = _edited
+		_give.visible = sky.table == null or sky.catalogue == null
 
 
 ## Whose table is baked: that of the sky, or the sky's to be.
