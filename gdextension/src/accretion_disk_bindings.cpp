@@ -80,7 +80,7 @@ void AccretionDisk::_bind_methods() {
 						 "250,100000,10,or_greater,suffix:K"),
 			"set_peak_temperature", "get_peak_temperature");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "accretion_rate", PROPERTY_HINT_RANGE,
-						 "0,1,0.000001,or_greater,suffix:M☉/yr"),
+						 String::utf8("0,1,0.000001,or_greater,suffix:M☉/yr")),
 			"set_accretion_rate", "get_accretion_rate");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "brightness_ev", PROPERTY_HINT_RANGE,
 						 "-60,20,0.1,or_less,or_greater,suffix:EV"),

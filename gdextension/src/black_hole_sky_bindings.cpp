@@ -198,7 +198,7 @@ void BlackHoleSky::_bind_methods() {
 						 "0.001,1000,0.001,or_greater,exp,suffix:m"),
 			"set_schwarzschild_radius", "get_schwarzschild_radius");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "mass_solar", PROPERTY_HINT_RANGE,
-						 "1,10000000000,0.1,or_less,or_greater,exp,suffix:M☉"),
+						 String::utf8("1,10000000000,0.1,or_less,or_greater,exp,suffix:M☉")),
 			"set_mass_solar", "get_mass_solar");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "lensing", PROPERTY_HINT_RANGE, "0,1,0.001"), "set_lensing",
 			"get_lensing");
@@ -257,9 +257,9 @@ void BlackHoleSky::_bind_methods() {
 	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "figure_field", PROPERTY_HINT_RESOURCE_TYPE, "Cubemap"),
 			"set_figure_field", "get_figure_field");
 	ADD_GROUP("Projection", "");
-	ADD_PROPERTY(
-			PropertyInfo(Variant::INT, "projection", PROPERTY_HINT_ENUM,
-					"Perspective,Equirectangular,Mercator,Mollweide,Fisheye 180°,Fisheye 220°,Fisheye 360°"),
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "projection", PROPERTY_HINT_ENUM,
+						 String::utf8("Perspective,Equirectangular,Mercator,Mollweide,Fisheye 180°,Fisheye "
+									  "220°,Fisheye 360°")),
 			"set_projection", "get_projection");
 	ADD_GROUP("Exposure", "");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "exposure", PROPERTY_HINT_RANGE,
@@ -273,7 +273,7 @@ void BlackHoleSky::_bind_methods() {
 						 "-20,20,0.1,or_less,or_greater,suffix:EV"),
 			"set_auto_exposure_max_ev", "get_auto_exposure_max_ev");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "adaptation_speed", PROPERTY_HINT_RANGE,
-						 "0,10,0.01,or_greater,suffix:×"),
+						 String::utf8("0,10,0.01,or_greater,suffix:×")),
 			"set_adaptation_speed", "get_adaptation_speed");
 	ADD_GROUP("Picture", "");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "saturation", PROPERTY_HINT_RANGE, "0,4,0.01"),

@@ -161,7 +161,7 @@ void SkyObserver::_bind_methods() {
 			"set_motion", "get_motion");
 	ADD_GROUP("Infall", "");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "energy", PROPERTY_HINT_RANGE,
-						 "0.001,10,0.001,or_greater,suffix:mc²"),
+						 String::utf8("0.001,10,0.001,or_greater,suffix:mc²")),
 			"set_energy", "get_energy");
 	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "outgoing"), "set_outgoing", "is_outgoing");
 	ADD_GROUP("Orbit", "");

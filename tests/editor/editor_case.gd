@@ -49,6 +49,14 @@ func switch_plugin(on: bool) -> void:
 		return
 	EditorInterface.set_plugin_enabled(ADDON, on)
 	await frames(2)
+	await scanned()  # importers that come or go make the editor look at all files again
+
+
+## Waits until the editor has looked at all files.
+func scanned() -> void:
+	var files := EditorInterface.get_resource_filesystem()
+	await until(func() -> bool: return not files.is_scanning(), "the scan's end")
+	await frames(2)
 
 
 ## The addon's plugin; null while it is off.

@@ -35,7 +35,7 @@ func test_csv_stays_a_translation_by_default() -> void:
 	await until(
 		func() -> bool: return FileAccess.file_exists("res://words.csv.import"), "the import"
 	)
-	await until(func() -> bool: return not files.is_scanning(), "the scan's end")
+	await scanned()
 	var import := ConfigFile.new()
 	import.load("res://words.csv.import")
 	expect_equal(import.get_value("remap", "importer"), "csv_translation", "importer")
@@ -54,8 +54,7 @@ func _import(path: String, text: String) -> void:
 	var files := EditorInterface.get_resource_filesystem()
 	files.scan()
 	await frames(2)
-	await until(func() -> bool: return not files.is_scanning(), "the scan's end")
-	await frames(2)
+	await scanned()
 
 
 func _write(path: String, text: String) -> void:

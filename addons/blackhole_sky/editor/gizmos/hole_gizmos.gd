@@ -5,15 +5,16 @@ extends EditorNode3DGizmoPlugin
 ## view.
 
 const HoleLines := preload("hole_lines.gd")
+const LineMaterial := preload("line_material.gd")
 const LinesGizmo := preload("lines_gizmo.gd")
 const FACING: Array[StringName] = [&"shadow"]
 
 
 func _init() -> void:
-	create_material("horizon", Color(1.0, 0.35, 0.25))
-	create_material("photon_sphere", Color(1.0, 0.8, 0.25))
-	create_material("shadow", Color(0.85, 0.9, 1.0), true)
-	create_material("orbit", Color(0.35, 0.95, 0.55))
+	add_material("horizon", LineMaterial.make(Color(1.0, 0.35, 0.25)))
+	add_material("photon_sphere", LineMaterial.make(Color(1.0, 0.8, 0.25)))
+	add_material("shadow", LineMaterial.make(Color(0.85, 0.9, 1.0), true))
+	add_material("orbit", LineMaterial.make(Color(0.35, 0.95, 0.55)))
 
 
 func _get_gizmo_name() -> String:
