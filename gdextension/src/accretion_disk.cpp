@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/world3d.hpp>
 #include <godot_cpp/variant/utility_functions.hpp>
 
@@ -79,11 +80,19 @@ void AccretionDisk::_process(double delta) {
 void AccretionDisk::sky_changed(const SkySettings &sky, double hole_scale, const Ref<LensingTable> &table) {
 	settings.peak_temperature = get_hottest_temperature();
 	layer.set_sky(sky, hole_scale, table, settings);
+	redraw_gizmo();
 }
 
 void AccretionDisk::changed() {
 	settings.peak_temperature = get_hottest_temperature();
 	layer.set_disk(settings);
+	redraw_gizmo();
+}
+
+void AccretionDisk::redraw_gizmo() {
+	if (Engine::get_singleton()->is_editor_hint()) {
+		update_gizmos();
+	}
 }
 
 std::optional<blackhole::GlowingDisk> AccretionDisk::metered(double hole_scale) const {

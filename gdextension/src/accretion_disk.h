@@ -96,6 +96,7 @@ private:
 	void enter_world();
 	void exit_world();
 	void changed();
+	void redraw_gizmo();
 	BlackHoleSky *parent_sky() const;
 
 	DiskLayer layer;

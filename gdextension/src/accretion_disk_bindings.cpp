@@ -65,6 +65,7 @@ void AccretionDisk::_bind_methods() {
 	ClassDB::bind_static_method(
 			"AccretionDisk", D_METHOD("orbital_period", "radius"), &AccretionDisk::orbital_period);
 
+	ADD_GROUP("Gas", "");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "outer_radius", PROPERTY_HINT_RANGE,
 						 "3.1,100,0.1,or_greater,suffix:r_s"),
 			"set_outer_radius", "get_outer_radius");
@@ -74,11 +75,12 @@ void AccretionDisk::_bind_methods() {
 	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "plunging_gas"), "set_plunging_gas", "has_plunging_gas");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "plunging_temperature", PROPERTY_HINT_RANGE, "0.01,1,0.01"),
 			"set_plunging_temperature", "get_plunging_temperature");
+	ADD_GROUP("Light", "");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "peak_temperature", PROPERTY_HINT_RANGE,
 						 "250,100000,10,or_greater,suffix:K"),
 			"set_peak_temperature", "get_peak_temperature");
-	ADD_PROPERTY(
-			PropertyInfo(Variant::FLOAT, "accretion_rate", PROPERTY_HINT_RANGE, "0,1,0.000001,or_greater"),
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "accretion_rate", PROPERTY_HINT_RANGE,
+						 String::utf8("0,1,0.000001,or_greater,suffix:M☉/yr")),
 			"set_accretion_rate", "get_accretion_rate");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "brightness_ev", PROPERTY_HINT_RANGE,
 						 "-60,20,0.1,or_less,or_greater,suffix:EV"),
@@ -88,6 +90,7 @@ void AccretionDisk::_bind_methods() {
 	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "limb_darkening"), "set_limb_darkening", "is_limb_darkening");
 	ADD_PROPERTY(
 			PropertyInfo(Variant::INT, "orders", PROPERTY_HINT_RANGE, "1,4"), "set_orders", "get_orders");
+	ADD_GROUP("Look", "");
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "look", PROPERTY_HINT_ENUM,
 						 "Physical,Turbulent,Checkerboard,Temperature,Redshift,Rings"),
 			"set_look", "get_look");
@@ -96,11 +99,12 @@ void AccretionDisk::_bind_methods() {
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "eddy_lifetime", PROPERTY_HINT_RANGE,
 						 "1,1000,1,or_greater,suffix:r_s/c"),
 			"set_eddy_lifetime", "get_eddy_lifetime");
-	ADD_PROPERTY(PropertyInfo(Variant::INT, "checker_sectors", PROPERTY_HINT_RANGE, "2,360,2"),
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "checker_sectors", PROPERTY_HINT_RANGE, "2,360,2,suffix:sectors"),
 			"set_checker_sectors", "get_checker_sectors");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "checker_ring_width", PROPERTY_HINT_RANGE,
 						 "0.05,10,0.05,or_greater,suffix:r_s"),
 			"set_checker_ring_width", "get_checker_ring_width");
+	ADD_GROUP("Rings", "ring_");
 	ADD_PROPERTY(
 			PropertyInfo(Variant::PACKED_FLOAT32_ARRAY, "ring_radii"), "set_ring_radii", "get_ring_radii");
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "ring_highlight", PROPERTY_HINT_RANGE, "-1,7"),
@@ -108,8 +112,13 @@ void AccretionDisk::_bind_methods() {
 	ADD_PROPERTY(
 			PropertyInfo(Variant::FLOAT, "ring_width", PROPERTY_HINT_RANGE, "0.5,5,0.1,or_greater,suffix:px"),
 			"set_ring_width", "get_ring_width");
-	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "time"), "set_time", "get_time");
-	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "time_scale"), "set_time_scale", "get_time_scale");
+	ADD_GROUP("Motion", "");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "time", PROPERTY_HINT_RANGE,
+						 "0,1000,0.01,or_less,or_greater,suffix:r_s/c"),
+			"set_time", "get_time");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "time_scale", PROPERTY_HINT_RANGE,
+						 "0,100,0.01,or_less,or_greater,suffix:r_s/c per s"),
+			"set_time_scale", "get_time_scale");
 	BIND_ENUM_CONSTANT(LOOK_PHYSICAL);
 	BIND_ENUM_CONSTANT(LOOK_TURBULENT);
 	BIND_ENUM_CONSTANT(LOOK_CHECKERBOARD);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/rendering_server.hpp>
 #include <godot_cpp/classes/viewport.hpp>
 #include <godot_cpp/classes/window.hpp>
@@ -119,6 +120,10 @@ void BlackHoleSky::_notification(int what) {
 
 void BlackHoleSky::settings_changed() {
 	settings_dirty = true;
+	if (Engine::get_singleton()->is_editor_hint()) {
+		update_gizmos(); // and so a frame is drawn: the editor draws none while it believes that nothing
+						 // changed
+	}
 }
 
 void BlackHoleSky::apply_settings() {

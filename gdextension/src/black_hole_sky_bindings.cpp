@@ -2,11 +2,41 @@
 // What the engine sees of BlackHoleSky: properties, methods and the warnings in the editor.
 #include "src/black_hole_sky.h"
 
+#include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/environment.hpp>
+#include <godot_cpp/classes/image.hpp>
+#include <godot_cpp/classes/project_settings.hpp>
+#include <godot_cpp/classes/rendering_server.hpp>
 #include <godot_cpp/classes/viewport.hpp>
 #include <godot_cpp/classes/world3d.hpp>
 
 using namespace godot;
+
+namespace {
+
+/// A scene that is edited lies in a viewport of the editor's that nobody looks at; those that show it follow
+/// the project's setting.
+bool has_hdr(const Viewport *viewport) {
+	if (viewport->is_using_hdr_2d()) {
+		return true;
+	}
+	return Engine::get_singleton()->is_editor_hint() &&
+			static_cast<bool>(
+					ProjectSettings::get_singleton()->get_setting("rendering/viewport/hdr_2d", false));
+}
+
+/// Whether the import has left of a picture with a high dynamic range less than its file holds.
+bool is_crushed(const Ref<Texture2D> &panorama) {
+	const String kind = panorama->get_path().get_extension().to_lower();
+	if (kind != "exr" && kind != "hdr") {
+		return false;
+	}
+	const int format = RenderingServer::get_singleton()->texture_get_format(panorama->get_rid());
+	const bool is_known = format < Image::FORMAT_MAX; // not where nothing is drawn
+	return is_known && (format > Image::FORMAT_RGBE9995 || format < Image::FORMAT_RF);
+}
+
+} // namespace
 
 PackedStringArray BlackHoleSky::_get_configuration_warnings() const {
 	PackedStringArray warnings;
@@ -23,6 +53,13 @@ PackedStringArray BlackHoleSky::_get_configuration_warnings() const {
 		warnings.push_back("The background is a panorama, but none is set. Set `panorama`, or choose another "
 						   "background.");
 	}
+	if (panorama.is_valid() && is_crushed(panorama)) {
+		warnings.push_back(vformat(
+				"The panorama %s was compressed when it was imported, so that dark parts show bands. In "
+				"the Import dock set Compress > Mode to VRAM Uncompressed and Detect 3D > Compress To to "
+				"Disabled, and press Reimport.",
+				panorama->get_path()));
+	}
 	if ((overlays & OVERLAY_CONSTELLATIONS) != 0 && figure_field.is_null()) {
 		warnings.push_back("Constellation figures are switched on, but there are none. Give `figure_field` "
 						   "the cube map of "
@@ -36,22 +73,29 @@ PackedStringArray BlackHoleSky::_get_configuration_warnings() const {
 		warnings.push_back(
 				"The node is scaled, which changes nothing here. Set the size by `schwarzschild_radius`.");
 	}
-	if (!get_viewport()->is_using_hdr_2d()) {
+	if (!has_hdr(get_viewport())) {
 		warnings.push_back(
 				"The viewport has no HDR 2D buffer, so faint stars are lost in the Mobile renderer. Switch "
 				"on the project setting rendering/viewport/hdr_2d (or the SubViewport's use_hdr_2d).");
 	}
 	const Ref<Environment> environment = get_world_3d()->get_environment();
 	if (environment.is_valid()) {
+		const String where = Engine::get_singleton()->is_editor_hint()
+				? " If it is the editor's preview, add a WorldEnvironment of your own, or switch the preview "
+				  "off "
+				  "in the toolbar of the 3D view."
+				: "";
 		if (environment->get_tonemapper() != Environment::TONE_MAPPER_LINEAR) {
-			warnings.push_back("The environment's tone mapper bends star brightness. Set it to Linear.");
+			warnings.push_back(
+					"The environment's tone mapper bends star brightness. Set it to Linear." + where);
 		}
 		if (environment->is_fog_enabled() || environment->is_volumetric_fog_enabled()) {
-			warnings.push_back("The environment's fog would veil the sky. Switch it off.");
+			warnings.push_back("The environment's fog would veil the sky. Switch it off." + where);
 		}
 		if (environment->get_background() == Environment::BG_SKY) {
 			warnings.push_back("The environment draws a sky of its own, unbent. Set its background to Custom "
-							   "Color, black.");
+							   "Color, black." +
+					where);
 		}
 	}
 	return warnings;
@@ -154,7 +198,7 @@ void BlackHoleSky::_bind_methods() {
 						 "0.001,1000,0.001,or_greater,exp,suffix:m"),
 			"set_schwarzschild_radius", "get_schwarzschild_radius");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "mass_solar", PROPERTY_HINT_RANGE,
-						 "1,10000000000,0.1,or_less,or_greater,exp,suffix:M☉"),
+						 String::utf8("1,10000000000,0.1,or_less,or_greater,exp,suffix:M☉")),
 			"set_mass_solar", "get_mass_solar");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "lensing", PROPERTY_HINT_RANGE, "0,1,0.001"), "set_lensing",
 			"get_lensing");
@@ -212,11 +256,12 @@ void BlackHoleSky::_bind_methods() {
 			"set_overlay_width", "get_overlay_width");
 	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "figure_field", PROPERTY_HINT_RESOURCE_TYPE, "Cubemap"),
 			"set_figure_field", "get_figure_field");
-	ADD_GROUP("Picture", "");
-	ADD_PROPERTY(
-			PropertyInfo(Variant::INT, "projection", PROPERTY_HINT_ENUM,
-					"Perspective,Equirectangular,Mercator,Mollweide,Fisheye 180°,Fisheye 220°,Fisheye 360°"),
+	ADD_GROUP("Projection", "");
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "projection", PROPERTY_HINT_ENUM,
+						 String::utf8("Perspective,Equirectangular,Mercator,Mollweide,Fisheye 180°,Fisheye "
+									  "220°,Fisheye 360°")),
 			"set_projection", "get_projection");
+	ADD_GROUP("Exposure", "");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "exposure", PROPERTY_HINT_RANGE,
 						 "-10,10,0.1,or_less,or_greater,suffix:EV"),
 			"set_exposure", "get_exposure");
@@ -227,9 +272,10 @@ void BlackHoleSky::_bind_methods() {
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "auto_exposure_max_ev", PROPERTY_HINT_RANGE,
 						 "-20,20,0.1,or_less,or_greater,suffix:EV"),
 			"set_auto_exposure_max_ev", "get_auto_exposure_max_ev");
-	ADD_PROPERTY(
-			PropertyInfo(Variant::FLOAT, "adaptation_speed", PROPERTY_HINT_RANGE, "0,10,0.01,or_greater"),
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "adaptation_speed", PROPERTY_HINT_RANGE,
+						 String::utf8("0,10,0.01,or_greater,suffix:×")),
 			"set_adaptation_speed", "get_adaptation_speed");
+	ADD_GROUP("Picture", "");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "saturation", PROPERTY_HINT_RANGE, "0,4,0.01"),
 			"set_saturation", "get_saturation");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "stereo_baseline_scale", PROPERTY_HINT_RANGE, "0,1,0.01"),
@@ -237,6 +283,7 @@ void BlackHoleSky::_bind_methods() {
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "see_through", PROPERTY_HINT_RANGE, "0,1,0.01"),
 			"set_see_through", "get_see_through");
 	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "redshift_map"), "set_redshift_map", "is_redshift_map_shown");
+	ADD_GROUP("Background", "");
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "background", PROPERTY_HINT_ENUM, "None,Grid,Panorama"),
 			"set_background", "get_background");
 	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "panorama", PROPERTY_HINT_RESOURCE_TYPE, "Texture2D"),
@@ -246,6 +293,7 @@ void BlackHoleSky::_bind_methods() {
 			"set_panorama_luminance", "get_panorama_luminance");
 	ADD_PROPERTY(
 			PropertyInfo(Variant::BOOL, "panorama_is_light"), "set_panorama_is_light", "is_panorama_light");
+	ADD_GROUP("Visibility", "");
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "render_layers", PROPERTY_HINT_LAYERS_3D_RENDER),
 			"set_render_layers", "get_render_layers");
 

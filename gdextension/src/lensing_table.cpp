@@ -58,9 +58,21 @@ void LensingTable::set_source_file(const String &path) {
 		return;
 	}
 	source_file = path;
-	if (!path.is_empty()) {
+	if (path.is_empty()) {
+		forget();
+	} else {
 		load_file(path);
 	}
+}
+
+void LensingTable::forget() {
+	inverse_texture.unref();
+	forward_texture.unref();
+	radius_texture.unref();
+	delay_texture.unref();
+	tables.reset();
+	error_message = String();
+	emit_changed();
 }
 
 Error LensingTable::load_file(const String &path) {

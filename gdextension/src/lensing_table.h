@@ -40,6 +40,7 @@ class LensingTable : public godot::Resource {
 
 	godot::Error refuse(const godot::String &message, godot::Error error);
 	void adopt(blackhole::LensingTables &&p_tables);
+	void forget();
 	void finish_bake();
 
 protected:

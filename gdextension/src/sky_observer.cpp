@@ -160,7 +160,8 @@ void SkyObserver::_bind_methods() {
 			PropertyInfo(Variant::INT, "motion", PROPERTY_HINT_ENUM, "Static,Rain,Infall,Orbit,Velocity"),
 			"set_motion", "get_motion");
 	ADD_GROUP("Infall", "");
-	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "energy", PROPERTY_HINT_RANGE, "0.001,10,0.001,or_greater"),
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "energy", PROPERTY_HINT_RANGE,
+						 String::utf8("0.001,10,0.001,or_greater,suffix:mc²")),
 			"set_energy", "get_energy");
 	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "outgoing"), "set_outgoing", "is_outgoing");
 	ADD_GROUP("Orbit", "");

@@ -8,6 +8,7 @@
 #include <span>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include <glm/geometric.hpp>
 
@@ -77,6 +78,20 @@ Error StarCatalogue::load_file(const String &path) {
 	stars = std::move(*read.value);
 	error_message = String();
 	emit_changed();
+	return OK;
+}
+
+Error StarCatalogue::save_file(const String &path) const {
+	const std::vector<std::uint8_t> content = blackhole::write_star_file(stars);
+	PackedByteArray bytes;
+	bytes.resize(static_cast<int64_t>(content.size()));
+	std::copy(content.begin(), content.end(), bytes.ptrw());
+	const Ref<FileAccess> file = FileAccess::open(path, FileAccess::WRITE);
+	if (file.is_null() || !file->store_buffer(bytes)) {
+		UtilityFunctions::push_error(
+				vformat("Star catalogue %s cannot be written. Check folder and disk.", path));
+		return ERR_FILE_CANT_WRITE;
+	}
 	return OK;
 }
 
@@ -165,6 +180,7 @@ void StarCatalogue::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("set_source_file", "path"), &StarCatalogue::set_source_file);
 	ClassDB::bind_method(D_METHOD("get_source_file"), &StarCatalogue::get_source_file);
 	ClassDB::bind_method(D_METHOD("load_file", "path"), &StarCatalogue::load_file);
+	ClassDB::bind_method(D_METHOD("save_file", "path"), &StarCatalogue::save_file);
 	ClassDB::bind_method(D_METHOD("set_stars", "directions", "magnitudes", "temperatures"),
 			&StarCatalogue::set_stars, DEFVAL(PackedFloat32Array()));
 	ClassDB::bind_method(D_METHOD("get_star_count"), &StarCatalogue::get_star_count);

@@ -28,6 +28,7 @@ public:
 	godot::String get_source_file() const { return source_file; }
 
 	godot::Error load_file(const godot::String &path);
+	godot::Error save_file(const godot::String &path) const;
 	godot::Error set_stars(const godot::PackedVector3Array &directions,
 			const godot::PackedFloat32Array &magnitudes, const godot::PackedFloat32Array &temperatures);
 

@@ -16,7 +16,9 @@ from functools import partial
 
 from setup import session
 from setup.console import Failure
-from testing import junit, kiosk_tests, package_tests, programs, scripts, style, xr_tests
+from testing import (
+    editor_tests, junit, kiosk_tests, package_tests, programs, scripts, style, xr_tests,
+)
 from testing.context import RESULTS, Context
 from testing.junit import Case
 
@@ -50,6 +52,7 @@ STAGES = [
     # First of those beside each other: it takes long and leaves the processors idle between its pictures.
     Stage("xr", "the headset scene on a simulated headset", xr_tests.stage, beside=True),
     Stage("kiosk", "the exhibit with simulated visitors, killed, hung, its disk full", kiosk_tests.stage, beside=True),
+    Stage("editor", "the addon in the editor itself, and the class reference", editor_tests.stage, beside=True),
     Stage("provider", "the binding provider under the address sanitizer", programs.provider_stage, beside=True),
     Stage("python", "unit tests of the tools", programs.python_stage, beside=True),
     Stage("gut", "GUT tests of the Godot classes", programs.gut_stage, beside=True),
