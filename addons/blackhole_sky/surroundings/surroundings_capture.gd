@@ -5,19 +5,21 @@ extends Node
 ## Shows the scene round a black hole bent by it: an everyday room, a hall, a landscape.
 ##
 ## Best a child of a [BlackHoleSky], it takes six square views of 90 degrees from the hole's middle
-## and makes them the sky's background ([member BlackHoleSky.surroundings]). All that is in them
-## counts as infinitely far away: whoever moves sees the room as from the hole's place, and the hole
-## move before it. [br][br]
+## and sets them as [member BlackHoleSky.surroundings], for
+## [constant BlackHoleSky.BACKGROUND_SURROUNDINGS]. All that is in them counts as infinitely far
+## away: whoever moves sees the room as from the hole's place, and the hole move before it.
+## [br][br]
 ## What shall be captured has the render layers of [member cull_mask], the second one at first.
 ## Leave these out of the cull masks of the cameras that look at the hole, or the room is drawn once
-## more as it is. Lights are seen by the layers that they are on: give those of the room both
-## layers if they shall light the rest of the scene as well. All else stays an ordinary part of the
-## scene, before the sky. [br][br]
+## more as it is. Lights shine in the views if they are on such a layer themselves. All else stays
+## an ordinary part of the scene, before the sky.
+## [br][br]
 ## Views are linear light without tone mapping, which is left to the camera that looks at the sky:
 ## the room is as bright as it was, at [member BlackHoleSky.panorama_luminance] 1 and
-## [member BlackHoleSky.exposure] 0. In the Compatibility renderer they are display values of 8 bits.
-## Effects of the screen are left out, since their seams would show. Moving observers see the
-## light shifted like any other, unless [member BlackHoleSky.panorama_is_light] is off. [br][br]
+## [member BlackHoleSky.exposure] 0. In the Compatibility renderer they are display values of 8
+## bits. Effects of the screen are left out, since their seams would show. Moving observers see the
+## light shifted like any other, unless [member BlackHoleSky.panorama_is_light] is off.
+## [br][br]
 ## A capture draws the scene six times, and reads nothing back from the graphics card.
 
 ## The views have been drawn, once.
@@ -46,6 +48,11 @@ enum UpdateMode {
 @export_enum("128:128", "256:256", "512:512", "1024:1024", "2048:2048") var resolution: int = 512:
 	set(value):
 		resolution = clampi(nearest_po2(value), 128, 2048)
+		_restart()
+## How smooth edges are. They are magnified by the hole, so smoothness pays.
+@export var msaa_3d := Viewport.MSAA_4X:
+	set(value):
+		msaa_3d = value
 		_restart()
 ## What is nearer to the hole's middle is left out.
 @export_range(0.01, 10.0, 0.01, "or_less", "or_greater", "suffix:m") var near: float = 0.05:
@@ -111,8 +118,8 @@ func _get_configuration_warnings() -> PackedStringArray:
 	return warnings
 
 
-## Draws the views for the next picture, with the world's environment as it is then. In a handler of
-## the sky's or of a physics frame it is time enough; await [signal captured] for the end.
+## Draws the views for the next picture, with the world's environment as it is then; await
+## [signal captured] for the end.
 func capture() -> void:
 	_restart()
 
@@ -143,7 +150,7 @@ func _after_draw() -> void:
 
 func _set_up() -> void:
 	_views.set_lens(resolution, near, far)
-	_views.set_look(cull_mask, _plain_environment(), get_viewport().msaa_3d)
+	_views.set_look(cull_mask, _plain_environment(), msaa_3d)
 	_views.rest()
 	_views.draw(update_mode == UpdateMode.ALWAYS)
 	sky.surroundings = _views.get_texture()
