@@ -6,6 +6,7 @@
 #include <godot_cpp/classes/resource.hpp>
 #include <godot_cpp/classes/resource_loader.hpp>
 
+#include "src/black_hole_sky.h"
 #include "src/draw_order.h"
 
 using namespace godot;
@@ -13,10 +14,7 @@ using namespace godot;
 namespace {
 
 /// The Compatibility renderer does not decode sRGB textures; the others do by the texture's format.
-bool arrives_as_srgb(RenderingServer *server, const RID &texture) {
-	if (server->get_current_rendering_method() != "gl_compatibility") {
-		return false;
-	}
+bool has_srgb_values(RenderingServer *server, const RID &texture) {
 	switch (server->texture_get_format(texture)) {
 		case Image::FORMAT_RF:
 		case Image::FORMAT_RGF:
@@ -34,6 +32,21 @@ bool arrives_as_srgb(RenderingServer *server, const RID &texture) {
 			return false;
 		default:
 			return true;
+	}
+}
+
+/// Whether the shader gets sRGB values of the picture that is shown.
+bool arrives_as_srgb(RenderingServer *server, int kind, const BackgroundPictures &pictures) {
+	if (server->get_current_rendering_method() != "gl_compatibility") {
+		return false;
+	}
+	switch (kind) {
+		case BlackHoleSky::BACKGROUND_PANORAMA:
+			return pictures.panorama.is_valid() && has_srgb_values(server, pictures.panorama);
+		case BlackHoleSky::BACKGROUND_CUBEMAP:
+			return pictures.cubemap.is_valid() && has_srgb_values(server, pictures.cubemap);
+		default: // what it draws itself is what the screen would show
+			return kind == BlackHoleSky::BACKGROUND_SURROUNDINGS;
 	}
 }
 
@@ -100,14 +113,16 @@ void BackgroundLayer::set_redshift_map(bool shown) {
 	show();
 }
 
-void BackgroundLayer::set_source(int kind, const RID &panorama, double luminance) {
+void BackgroundLayer::set_source(int kind, const BackgroundPictures &pictures, double luminance) {
 	ensure();
-	RenderingServer *server = RenderingServer::get_singleton();
 	source = kind;
 	panorama_luminance = luminance;
 	triangle.set_parameter("_background", kind);
-	triangle.set_parameter("_panorama", panorama);
-	triangle.set_parameter("_panorama_is_srgb", panorama.is_valid() && arrives_as_srgb(server, panorama));
+	triangle.set_parameter("_panorama", pictures.panorama);
+	triangle.set_parameter("_cubemap", pictures.cubemap);
+	triangle.set_parameter("_surroundings", pictures.surroundings);
+	triangle.set_parameter(
+			"_picture_is_srgb", arrives_as_srgb(RenderingServer::get_singleton(), kind, pictures));
 	triangle.set_parameter("_panorama_luminance", panorama_luminance * current.exposure);
 	show();
 }

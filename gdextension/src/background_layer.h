@@ -8,6 +8,13 @@
 #include "src/screen_triangle.h"
 #include "src/sky_settings.h"
 
+/// Pictures of the sky, of which one is shown; those that are not there are invalid.
+struct BackgroundPictures {
+	godot::RID panorama;
+	godot::RID cubemap;
+	godot::RID surroundings; ///< laid out as surroundings_layout.gdshaderinc says
+};
+
 /// Draws what lies behind the stars: a triangle at the far plane. Owns what it makes on the RenderingServer.
 class BackgroundLayer {
 public:
@@ -24,10 +31,10 @@ public:
 	void set_figure_field(const godot::RID &cube_map);
 	/// Shows frequency ratios in false colours instead of the sky.
 	void set_redshift_map(bool shown);
-	/// Whether the panorama's light is shifted in frequency.
+	/// Whether the picture's light is shifted in frequency.
 	void set_panorama_is_light(bool is_light);
-	/// kind: BlackHoleSky::Background; luminance of a panorama texel of value 1 at exposure 0.
-	void set_source(int kind, const godot::RID &panorama, double luminance);
+	/// kind: BlackHoleSky::Background; luminance of a picture's texel of value 1 at exposure 0.
+	void set_source(int kind, const BackgroundPictures &pictures, double luminance);
 	void apply(const SkySettings &settings);
 
 private:

@@ -79,6 +79,7 @@ void BlackHoleSky::enter_world() {
 }
 
 void BlackHoleSky::exit_world() {
+	horizon_watch.forget();
 	RenderingServer::get_singleton()->disconnect(
 			"frame_pre_draw", callable_mp(this, &BlackHoleSky::before_draw));
 	SceneTree *tree = get_tree();
@@ -173,8 +174,11 @@ void BlackHoleSky::apply_settings() {
 
 void BlackHoleSky::before_draw() {
 	const auto start = std::chrono::steady_clock::now();
-	const std::vector<WatchingEye> &eyes = eye_tracker.eyes_in(get_world_3d());
-	if (auto_exposure && !eyes.empty() && can_process() && is_visible_in_tree()) {
+	const std::vector<WatchingEye> &eyes = eye_tracker.eyes_in(get_world_3d(), render_layers);
+	if (!tell_of_horizon(eyes)) {
+		return;
+	}
+	if (is_metering() && !eyes.empty() && can_process() && is_visible_in_tree()) {
 		meter(eyes.front(), get_process_delta_time(), false);
 	}
 	if (settings_dirty) {
@@ -265,44 +269,8 @@ void BlackHoleSky::set_lensing(double fraction) {
 	settings_changed();
 }
 
-void BlackHoleSky::set_observer_motion(LensingTable::Motion motion) {
-	if (observer.is_null() && motion != LensingTable::MOTION_STATIC) {
-		Ref<SkyObserver> made;
-		made.instantiate();
-		set_observer(made);
-	}
-	if (observer.is_valid()) {
-		observer->set_motion(motion);
-	}
-}
-
-LensingTable::Motion BlackHoleSky::get_observer_motion() const {
-	return observer.is_valid() ? observer->get_motion() : LensingTable::MOTION_STATIC;
-}
-
-void BlackHoleSky::set_observer(const Ref<SkyObserver> &p_observer) {
-	const Callable changed = callable_mp(this, &BlackHoleSky::settings_changed);
-	if (observer.is_valid() && observer->is_connected("changed", changed)) {
-		observer->disconnect("changed", changed);
-	}
-	observer = p_observer;
-	if (observer.is_valid()) {
-		observer->connect("changed", changed);
-	}
-	settings_changed();
-}
-
-blackhole::ObserverField BlackHoleSky::observer_field() const {
-	return observer.is_valid() ? observer->field() : blackhole::ObserverField();
-}
-
 void BlackHoleSky::set_effect(int effect, bool on) {
 	effects = on ? effects | effect : effects & ~effect;
-	settings_changed();
-}
-
-void BlackHoleSky::set_higher_orders(bool shown) {
-	higher_orders = shown;
 	settings_changed();
 }
 
@@ -357,21 +325,6 @@ void BlackHoleSky::set_stars_visible(bool shown) {
 	star_layer.set_shown(stars_visible && is_inside_tree() && is_visible_in_tree());
 }
 
-void BlackHoleSky::set_magnitude_limit(double magnitude) {
-	magnitude_limit = limited(magnitude, -30.0, 99.0, magnitude_limit);
-	settings_changed();
-}
-
-void BlackHoleSky::set_image_orders(int orders) {
-	image_orders = std::clamp(orders, 1, StarLayer::kMaxOrders);
-	settings_changed();
-}
-
-void BlackHoleSky::set_psf_model(PointSpreadModel model) {
-	psf_model = std::clamp(model, PSF_GAUSSIAN, PSF_EYE);
-	settings_changed();
-}
-
 void BlackHoleSky::set_aperture_mm(double millimetres) {
 	aperture_mm = limited(millimetres, 0.1, 1e4, aperture_mm);
 	settings_changed();
@@ -387,36 +340,9 @@ void BlackHoleSky::set_psf_sigma(double pixels) {
 	settings_changed();
 }
 
-void BlackHoleSky::set_faint_limit(double luminance) {
-	faint_limit = limited(luminance, 1e-9, 1.0, faint_limit);
-	settings_changed();
-}
-
 void BlackHoleSky::set_exposure(double ev) {
 	exposure = limited(ev, -40.0, 60.0, exposure);
 	settings_changed();
-}
-
-void BlackHoleSky::set_background(Background kind) {
-	background = kind;
-	background_layer.set_source(
-			background, panorama.is_valid() ? panorama->get_rid() : RID(), panorama_luminance);
-	update_configuration_warnings();
-}
-
-void BlackHoleSky::set_panorama(const Ref<Texture2D> &texture) {
-	panorama = texture;
-	set_background(background);
-}
-
-void BlackHoleSky::set_panorama_luminance(double luminance) {
-	panorama_luminance = limited(luminance, 0.0, kLargest, panorama_luminance);
-	set_background(background);
-}
-
-void BlackHoleSky::set_panorama_is_light(bool is_light) {
-	panorama_is_light = is_light;
-	background_layer.set_panorama_is_light(is_light);
 }
 
 void BlackHoleSky::set_render_layers(uint32_t layers) {

@@ -15,6 +15,7 @@
 #include "src/background_layer.h"
 #include "src/exposure_meter.h"
 #include "src/eye_tracker.h"
+#include "src/horizon_watch.h"
 #include "src/lensing_table.h"
 #include "src/sky_observer.h"
 #include "src/sky_settings.h"
@@ -61,7 +62,14 @@ public:
 	};
 	/// How the light of a star spreads.
 	enum PointSpreadModel { PSF_GAUSSIAN = 0, PSF_AIRY = 1, PSF_EYE = 2 };
-	enum Background { BACKGROUND_NONE = 0, BACKGROUND_GRID = 1, BACKGROUND_PANORAMA = 2 };
+	/// What lies behind the stars: the numbers of background.gdshaderinc.
+	enum Background {
+		BACKGROUND_NONE = 0,
+		BACKGROUND_GRID = 1,
+		BACKGROUND_PANORAMA = 2,
+		BACKGROUND_CUBEMAP = 3,
+		BACKGROUND_SURROUNDINGS = 4,
+	};
 
 	BlackHoleSky();
 
@@ -138,6 +146,10 @@ public:
 	Background get_background() const { return background; }
 	void set_panorama(const godot::Ref<godot::Texture2D> &texture);
 	godot::Ref<godot::Texture2D> get_panorama() const { return panorama; }
+	void set_cubemap(const godot::Ref<godot::Cubemap> &texture);
+	godot::Ref<godot::Cubemap> get_cubemap() const { return cubemap; }
+	void set_surroundings(const godot::Ref<godot::Texture2D> &texture);
+	godot::Ref<godot::Texture2D> get_surroundings() const { return surroundings; }
 	void set_panorama_luminance(double luminance);
 	double get_panorama_luminance() const { return panorama_luminance; }
 	void set_panorama_is_light(bool is_light);
@@ -170,12 +182,18 @@ private:
 	void enter_world();
 	void exit_world();
 	void settings_changed();
+	void observer_changed();
+	template <typename Value> void set_quality(Value &kept, Value value);
+	bool tell_of_horizon(const std::vector<WatchingEye> &eyes);
+	void apply_background();
 	void apply_settings();
 	void apply_to_disks();
 	void apply_to_materials();
 	void catalogue_changed();
 	void table_changed();
 	void before_draw();
+	/// The surroundings are as bright as the scene that they are of.
+	bool is_metering() const { return auto_exposure && background != BACKGROUND_SURROUNDINGS; }
 	void meter(const WatchingEye &eye, double seconds, bool all);
 	void meter_now(double seconds);
 	void node_added(godot::Node *node);
@@ -189,6 +207,7 @@ private:
 	StarLayer star_layer;
 	BackgroundLayer background_layer;
 	EyeTracker eye_tracker;
+	HorizonWatch horizon_watch;
 	StarChoice star_choice;
 	ExposureMeter exposure_meter;
 	SkySettings settings;
@@ -225,6 +244,8 @@ private:
 	double applied_exposure = 0.0; ///< EV, of the settings
 	Background background = BACKGROUND_NONE;
 	godot::Ref<godot::Texture2D> panorama;
+	godot::Ref<godot::Cubemap> cubemap;
+	godot::Ref<godot::Texture2D> surroundings;
 	double panorama_luminance = 1.0;
 	bool panorama_is_light = true;
 	uint32_t render_layers = 1;

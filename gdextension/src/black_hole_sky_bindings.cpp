@@ -45,7 +45,9 @@ PackedStringArray BlackHoleSky::_get_configuration_warnings() const {
 				"There is no lensing table, so light goes straight. Give `table` a LensingTable whose "
 				"source_file is res://addons/blackhole_sky/data/schwarzschild.lut, or call its bake().");
 	}
-	if (catalogue.is_null() || catalogue->get_star_count() == 0) {
+	// Where there is a room there need not be stars.
+	const bool in_a_room = background == BACKGROUND_SURROUNDINGS;
+	if (!in_a_room && (catalogue.is_null() || catalogue->get_star_count() == 0)) {
 		warnings.push_back("There are no stars. Give `catalogue` a StarCatalogue whose source_file is "
 						   "res://addons/blackhole_sky/data/hipparcos.stars or a CSV file.");
 	}
@@ -59,6 +61,14 @@ PackedStringArray BlackHoleSky::_get_configuration_warnings() const {
 				"the Import dock set Compress > Mode to VRAM Uncompressed and Detect 3D > Compress To to "
 				"Disabled, and press Reimport.",
 				panorama->get_path()));
+	}
+	if (background == BACKGROUND_CUBEMAP && cubemap.is_null()) {
+		warnings.push_back("The background is a cube map, but none is set. Set `cubemap`, or choose another "
+						   "background.");
+	}
+	if (background == BACKGROUND_SURROUNDINGS && surroundings.is_null()) {
+		warnings.push_back("The background is the surroundings, but nothing captures them. Add a "
+						   "SurroundingsCapture as a child, or choose another background.");
 	}
 	if ((overlays & OVERLAY_CONSTELLATIONS) != 0 && figure_field.is_null()) {
 		warnings.push_back("Constellation figures are switched on, but there are none. Give `figure_field` "
@@ -174,6 +184,10 @@ void BlackHoleSky::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_background"), &BlackHoleSky::get_background);
 	ClassDB::bind_method(D_METHOD("set_panorama", "texture"), &BlackHoleSky::set_panorama);
 	ClassDB::bind_method(D_METHOD("get_panorama"), &BlackHoleSky::get_panorama);
+	ClassDB::bind_method(D_METHOD("set_cubemap", "texture"), &BlackHoleSky::set_cubemap);
+	ClassDB::bind_method(D_METHOD("get_cubemap"), &BlackHoleSky::get_cubemap);
+	ClassDB::bind_method(D_METHOD("set_surroundings", "texture"), &BlackHoleSky::set_surroundings);
+	ClassDB::bind_method(D_METHOD("get_surroundings"), &BlackHoleSky::get_surroundings);
 	ClassDB::bind_method(
 			D_METHOD("set_panorama_luminance", "luminance"), &BlackHoleSky::set_panorama_luminance);
 	ClassDB::bind_method(D_METHOD("get_panorama_luminance"), &BlackHoleSky::get_panorama_luminance);
@@ -284,10 +298,17 @@ void BlackHoleSky::_bind_methods() {
 			"set_see_through", "get_see_through");
 	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "redshift_map"), "set_redshift_map", "is_redshift_map_shown");
 	ADD_GROUP("Background", "");
-	ADD_PROPERTY(PropertyInfo(Variant::INT, "background", PROPERTY_HINT_ENUM, "None,Grid,Panorama"),
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "background", PROPERTY_HINT_ENUM,
+						 "None,Grid,Panorama,Cubemap,Surroundings"),
 			"set_background", "get_background");
 	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "panorama", PROPERTY_HINT_RESOURCE_TYPE, "Texture2D"),
 			"set_panorama", "get_panorama");
+	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "cubemap", PROPERTY_HINT_RESOURCE_TYPE, "Cubemap"),
+			"set_cubemap", "get_cubemap");
+	// Drawn while the scene runs, so there is nothing to be stored.
+	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "surroundings", PROPERTY_HINT_RESOURCE_TYPE, "Texture2D",
+						 PROPERTY_USAGE_NONE),
+			"set_surroundings", "get_surroundings");
 	ADD_PROPERTY(
 			PropertyInfo(Variant::FLOAT, "panorama_luminance", PROPERTY_HINT_RANGE, "0,10,0.001,or_greater"),
 			"set_panorama_luminance", "get_panorama_luminance");
@@ -296,6 +317,11 @@ void BlackHoleSky::_bind_methods() {
 	ADD_GROUP("Visibility", "");
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "render_layers", PROPERTY_HINT_LAYERS_3D_RENDER),
 			"set_render_layers", "get_render_layers");
+
+	ADD_SIGNAL(MethodInfo("horizon_crossed", PropertyInfo(Variant::BOOL, "inward"),
+			PropertyInfo(Variant::OBJECT, "camera", PROPERTY_HINT_NODE_TYPE, "Camera3D")));
+	ADD_SIGNAL(MethodInfo("observer_changed"));
+	ADD_SIGNAL(MethodInfo("quality_changed"));
 
 	BIND_ENUM_CONSTANT(EFFECT_DEFLECTION);
 	BIND_ENUM_CONSTANT(EFFECT_ABERRATION);
@@ -323,4 +349,6 @@ void BlackHoleSky::_bind_methods() {
 	BIND_ENUM_CONSTANT(BACKGROUND_NONE);
 	BIND_ENUM_CONSTANT(BACKGROUND_GRID);
 	BIND_ENUM_CONSTANT(BACKGROUND_PANORAMA);
+	BIND_ENUM_CONSTANT(BACKGROUND_CUBEMAP);
+	BIND_ENUM_CONSTANT(BACKGROUND_SURROUNDINGS);
 }

@@ -47,7 +47,7 @@ void BlackHoleSky::set_adaptation_speed(double factor) {
 }
 
 double BlackHoleSky::get_effective_exposure() const {
-	return std::clamp(exposure + (auto_exposure ? exposure_meter.ev() : 0.0), kDarkest, kBrightest);
+	return std::clamp(exposure + (is_metering() ? exposure_meter.ev() : 0.0), kDarkest, kBrightest);
 }
 
 void BlackHoleSky::meter(const WatchingEye &eye, double seconds, bool all) {
@@ -56,8 +56,12 @@ void BlackHoleSky::meter(const WatchingEye &eye, double seconds, bool all) {
 		sources.stars = &catalogue->table();
 		sources.magnitude_limit = magnitude_limit;
 	}
-	if (background == BACKGROUND_PANORAMA) {
-		sources.panorama = panorama;
+	if (background == BACKGROUND_PANORAMA || background == BACKGROUND_CUBEMAP) {
+		if (background == BACKGROUND_PANORAMA) {
+			sources.panorama = panorama;
+		} else {
+			sources.cubemap = cubemap;
+		}
 		sources.panorama_luminance = panorama_luminance;
 		sources.panorama_is_light = panorama_is_light;
 	}
@@ -84,10 +88,10 @@ void BlackHoleSky::meter(const WatchingEye &eye, double seconds, bool all) {
 
 /// Meters between frames, by what the node and the cameras are set to now.
 void BlackHoleSky::meter_now(double seconds) {
-	if (!auto_exposure || !is_inside_tree()) {
+	if (!is_metering() || !is_inside_tree()) {
 		return;
 	}
-	const std::vector<WatchingEye> &eyes = eye_tracker.eyes_in(get_world_3d());
+	const std::vector<WatchingEye> &eyes = eye_tracker.eyes_in(get_world_3d(), render_layers);
 	if (eyes.empty()) {
 		return;
 	}

@@ -36,6 +36,8 @@ Vector2i size_of(Viewport *viewport) {
 WatchingEye watching_eye(Viewport *viewport, const Camera3D *camera) {
 	WatchingEye eye;
 	eye.place = to_glm(camera->get_camera_transform().origin);
+	eye.viewport = viewport->get_instance_id();
+	eye.camera = camera->get_instance_id();
 	if (viewport->is_using_xr()) {
 		eye.axis_gain = kHeadsetGain;
 		eye.wobble = kHeadsetWobble;
@@ -96,7 +98,7 @@ void EyeTracker::remove(Node *node) {
 	}
 }
 
-const std::vector<WatchingEye> &EyeTracker::eyes_in(const Ref<World3D> &world) {
+const std::vector<WatchingEye> &EyeTracker::eyes_in(const Ref<World3D> &world, uint32_t layers) {
 	eyes.clear();
 	for (const uint64_t id : viewports) {
 		auto *viewport = Object::cast_to<Viewport>(ObjectDB::get_instance(id));
@@ -104,7 +106,7 @@ const std::vector<WatchingEye> &EyeTracker::eyes_in(const Ref<World3D> &world) {
 			continue;
 		}
 		const Camera3D *camera = viewport->get_camera_3d();
-		if (camera != nullptr && viewport->find_world_3d() == world) {
+		if (camera != nullptr && (camera->get_cull_mask() & layers) != 0 && viewport->find_world_3d() == world) {
 			eyes.push_back(watching_eye(viewport, camera));
 		}
 	}

@@ -31,6 +31,8 @@ struct WatchingEye {
 	double axis_gain = 1.0;     ///< Omega_ref/Omega_px on the axis: luminance of a star over reference
 	double corner_cosine = 1.0; ///< of the angle between the axis and the picture's corners
 	double wobble = 0.0;        ///< how far from `place` the true eyes may be, world units
+	uint64_t viewport = 0;      ///< instance that the picture is for
+	uint64_t camera = 0;        ///< instance through which it looks
 
 	bool operator==(const WatchingEye &) const = default;
 
@@ -47,8 +49,8 @@ public:
 	void remove(godot::Node *node);
 	void clear() { viewports.clear(); }
 
-	/// The current cameras of `world`. The vector is reused: no allocation once it has its size.
-	const std::vector<WatchingEye> &eyes_in(const godot::Ref<godot::World3D> &world);
+	/// The current cameras of `world` that see any of the render layers. The vector is reused: no allocation once it has its size.
+	const std::vector<WatchingEye> &eyes_in(const godot::Ref<godot::World3D> &world, uint32_t layers);
 
 private:
 	std::vector<uint64_t> viewports;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 
+#include <godot_cpp/classes/cubemap.hpp>
 #include <godot_cpp/classes/ref.hpp>
 #include <godot_cpp/classes/texture2d.hpp>
 
@@ -13,9 +14,9 @@
 #include "core/photometry/planck_table.h"
 #include "core/photometry/sky_brightness.h"
 
-/// The mean light of each part of the sky as it is drawn, stars and panorama, for the exposure meter. The
-/// maps are made when they are first asked for: stars take 0.1 s a million, a panorama is read back from the
-/// graphics card once.
+/// The mean light of each part of the sky as it is drawn, stars and panorama or cube map, for the exposure
+/// meter. The maps are made when they are first asked for: stars take 0.1 s a million, a picture is read back
+/// from the graphics card once.
 class SkyLight {
 public:
 	/// Which light the sky has; what is null gives none.
@@ -23,8 +24,9 @@ public:
 		const blackhole::StarTable *stars = nullptr;
 		double magnitude_limit = 99.0; ///< V
 		godot::Ref<godot::Texture2D> panorama;
-		double panorama_luminance = 1.0; ///< of a texel of value 1
-		bool panorama_is_light = true;   ///< shifted in frequency
+		godot::Ref<godot::Cubemap> cubemap; ///< instead of a panorama
+		double panorama_luminance = 1.0;    ///< of a texel of value 1
+		bool panorama_is_light = true;      ///< shifted in frequency
 	};
 
 	/// The table of stars holds others than before.

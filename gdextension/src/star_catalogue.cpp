@@ -65,19 +65,40 @@ Error StarCatalogue::load_file(const String &path) {
 		return refuse(vformat("Star catalogue %s is larger than 2 GiB. Split it or thin it out.", path));
 	}
 	const PackedByteArray bytes = file->get_buffer(static_cast<int64_t>(file->get_length()));
-	const CharString name = path.utf8();
+	const Error error = read(bytes, path, path.get_extension().to_lower() == "csv");
+	if (error == OK) {
+		emit_changed();
+	}
+	return error;
+}
+
+Error StarCatalogue::load_bytes(const PackedByteArray &bytes, const String &name) {
+	if (bytes.size() > kLargestCatalogue) {
+		return refuse(vformat("Star catalogue %s is larger than 2 GiB. Split it or thin it out.", name));
+	}
 	const auto size = static_cast<std::size_t>(bytes.size());
-	const std::string_view file_name(name.get_data());
-	blackhole::Outcome<blackhole::StarTable> read = path.get_extension().to_lower() == "csv"
+	const bool is_csv = !blackhole::is_star_file(std::span<const std::uint8_t>(bytes.ptr(), size));
+	const Error error = read(bytes, name, is_csv);
+	if (error == OK) {
+		source_file = String(); // whose stars they no longer are
+		emit_changed();
+	}
+	return error;
+}
+
+Error StarCatalogue::read(const PackedByteArray &bytes, const String &name, bool is_csv) {
+	const CharString utf8_name = name.utf8();
+	const auto size = static_cast<std::size_t>(bytes.size());
+	const std::string_view called(utf8_name.get_data());
+	blackhole::Outcome<blackhole::StarTable> read = is_csv
 			? blackhole::read_star_csv(
-					  std::string_view(reinterpret_cast<const char *>(bytes.ptr()), size), file_name)
-			: blackhole::read_star_file(std::span<const std::uint8_t>(bytes.ptr(), size), file_name);
+					  std::string_view(reinterpret_cast<const char *>(bytes.ptr()), size), called)
+			: blackhole::read_star_file(std::span<const std::uint8_t>(bytes.ptr(), size), called);
 	if (!read) {
 		return refuse(String::utf8(read.error.c_str()));
 	}
 	stars = std::move(*read.value);
 	error_message = String();
-	emit_changed();
 	return OK;
 }
 
@@ -181,6 +202,8 @@ void StarCatalogue::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_source_file"), &StarCatalogue::get_source_file);
 	ClassDB::bind_method(D_METHOD("load_file", "path"), &StarCatalogue::load_file);
 	ClassDB::bind_method(D_METHOD("save_file", "path"), &StarCatalogue::save_file);
+	ClassDB::bind_method(
+			D_METHOD("load_bytes", "bytes", "name"), &StarCatalogue::load_bytes, DEFVAL("stars"));
 	ClassDB::bind_method(D_METHOD("set_stars", "directions", "magnitudes", "temperatures"),
 			&StarCatalogue::set_stars, DEFVAL(PackedFloat32Array()));
 	ClassDB::bind_method(D_METHOD("get_star_count"), &StarCatalogue::get_star_count);

@@ -4,6 +4,7 @@
 #include <godot_cpp/classes/ref.hpp>
 #include <godot_cpp/classes/resource.hpp>
 #include <godot_cpp/core/class_db.hpp>
+#include <godot_cpp/variant/packed_byte_array.hpp>
 #include <godot_cpp/variant/packed_float32_array.hpp>
 #include <godot_cpp/variant/packed_vector3_array.hpp>
 #include <godot_cpp/variant/string.hpp>
@@ -19,6 +20,7 @@ class StarCatalogue : public godot::Resource {
 	blackhole::StarTable stars;
 
 	godot::Error refuse(const godot::String &message);
+	godot::Error read(const godot::PackedByteArray &bytes, const godot::String &name, bool is_csv);
 
 protected:
 	static void _bind_methods();
@@ -29,6 +31,8 @@ public:
 
 	godot::Error load_file(const godot::String &path);
 	godot::Error save_file(const godot::String &path) const;
+	/// What is no .stars file is taken for CSV; `name` stands for the file's in messages.
+	godot::Error load_bytes(const godot::PackedByteArray &bytes, const godot::String &name);
 	godot::Error set_stars(const godot::PackedVector3Array &directions,
 			const godot::PackedFloat32Array &magnitudes, const godot::PackedFloat32Array &temperatures);
 

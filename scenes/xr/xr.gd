@@ -74,7 +74,7 @@ func _ready() -> void:
 	rides.began.connect(_on_ride_began)
 	rides.ended.connect(_on_ride_ended)
 	rides.pause_changed.connect(_on_pause_changed)
-	rides.crossed_horizon.connect(_on_crossed_horizon)
+	sky.horizon_crossed.connect(_on_horizon_crossed)
 	_near_limit.crossed.connect(_on_too_near)
 	_choice.warned.connect(_on_warned)
 	tour.began.connect(_follow_comfort)
@@ -196,8 +196,10 @@ func _on_ride_began() -> void:
 	_follow_comfort()
 
 
-func _on_crossed_horizon() -> void:
-	_sign.say(tr("That was the horizon. Look round: the sky is behind you now."), 6.0)
+# By the visitor; the spectators' camera passes it as well.
+func _on_horizon_crossed(inward: bool, camera: Camera3D) -> void:
+	if inward and rides.is_on() and camera is XRCamera3D:
+		_sign.say(tr("That was the horizon. Look round: the sky is behind you now."), 6.0)
 
 
 func _on_ride_ended(completed: bool) -> void:

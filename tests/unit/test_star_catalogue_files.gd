@@ -35,6 +35,20 @@ func test_csv_with_all_columns() -> void:
 	assert_eq(_stars.find_hip(7), 1)
 
 
+func test_bytes_of_either_kind() -> void:
+	watch_signals(_stars)
+	assert_eq(_stars.load_bytes(FileAccess.get_file_as_bytes(BUILT_IN)), OK)
+	assert_eq(_stars.get_star_count(), 118217)
+	_stars.source_file = _folder.write_text("two.csv", HEADER + "1,2,3\n4,5,6\n")
+	assert_eq(_stars.load_bytes((HEADER + "-15,20,3\n").to_utf8_buffer()), OK)
+	assert_eq(_stars.get_star_count(), 1)
+	assert_eq(_stars.source_file, "")
+	assert_signal_emit_count(_stars, "changed", 3)
+	assert_ne(_stars.load_bytes("ra_deg\n1\n".to_utf8_buffer(), "my download"), OK)
+	assert_push_error("my download")
+	assert_eq(_stars.get_star_count(), 1, "which stays")
+
+
 func test_csv_with_the_least_columns() -> void:
 	assert_eq(_stars.load_file(_folder.write_text("least.csv", HEADER + "-15,20,3\n")), OK)
 	assert_almost_eq(_stars.get_star_temperature(0), 5772.0, 1.0, "the Sun's without a colour")

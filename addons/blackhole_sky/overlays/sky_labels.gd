@@ -3,7 +3,8 @@ class_name SkyLabels
 extends Control
 ## Writes names of stars and constellations beside their images, bent like the sky they belong to.
 ##
-## Lay it over the whole viewport whose camera sees the sky.
+## Lay it over the whole viewport whose camera sees the sky. Names come from the addon's own tables
+## unless it is given others.
 
 @export var sky: BlackHoleSky
 ## The camera; empty: the viewport's current one.
@@ -21,7 +22,9 @@ extends Control
 ## Pixels in a picture of 720 rows.
 @export_range(6.0, 40.0, 0.5, "suffix:px") var font_size: float = 13.0
 
+## While it is empty, the addon's own is read as soon as stars are shown.
 var stars := StarNames.new()
+## While it is empty, the addon's own is read as soon as constellations are shown.
 var figures := ConstellationFigures.new()
 
 var _taken: Array[Rect2] = []
@@ -42,6 +45,7 @@ func _draw() -> void:
 	if sky == null or eye == null:
 		return
 	_taken.clear()
+	_read_tables()
 	if stars_shown:
 		for i in stars.count_to(faintest):
 			for order in 2 if second_images else 1:
@@ -51,6 +55,18 @@ func _draw() -> void:
 		for figure in figures.figures:
 			for label in figure.labels:
 				_write(eye, label, 0, figure.name(spoken), constellation_colour, true)
+
+
+## A table that was refused says so once, and is not read again.
+func _read_tables() -> void:
+	if stars_shown and stars.names.is_empty() and stars.error.is_empty():
+		stars = StarNames.load_file()
+		if not stars.error.is_empty():
+			push_warning(stars.error)
+	if constellations_shown and figures.figures.is_empty() and figures.error.is_empty():
+		figures = ConstellationFigures.load_file()
+		if not figures.error.is_empty():
+			push_warning(figures.error)
 
 
 ## Nearer names come first; what would lie over another is left out.

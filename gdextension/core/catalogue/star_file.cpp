@@ -127,6 +127,10 @@ bool read_names(const std::uint8_t *p_from, const Header &p_header, StarTable &r
 
 } // namespace
 
+bool is_star_file(std::span<const std::uint8_t> p_bytes) {
+	return p_bytes.size() >= kMagic.size() && std::equal(kMagic.begin(), kMagic.end(), p_bytes.begin());
+}
+
 Outcome<StarTable> read_star_file(std::span<const std::uint8_t> p_bytes, std::string_view p_name) {
 	if (p_bytes.size() < kHeaderSize || !std::equal(kMagic.begin(), kMagic.end(), p_bytes.begin())) {
 		return refuse(

@@ -11,6 +11,9 @@
 
 namespace blackhole {
 
+/// Whether bytes begin as those of a .stars file do.
+bool is_star_file(std::span<const std::uint8_t> p_bytes);
+
 /// Reads the .stars format (see README.md in this folder) from memory. p_name is the file's name for
 /// messages. Fails on a wrong magic, version, size or checksum and on values out of range; nothing is
 /// allocated from a count that the size of p_bytes does not bear out.

@@ -31,7 +31,14 @@ const NO_HOLE: float = 1e-3
 const LEAST_ENERGY: float = 0.3
 const LARGEST_ENERGY: float = 3.0
 
-@export var sky: BlackHoleSky
+@export var sky: BlackHoleSky:
+	set(value):
+		if sky != null:
+			sky.observer_changed.disconnect(_follow)
+		sky = value
+		if sky != null:
+			sky.observer_changed.connect(_follow)
+			_follow()
 
 ## Energy per rest energy of who falls or rises with a chosen energy.
 var energy: float = 1.2:
@@ -42,7 +49,6 @@ var energy: float = 1.2:
 var resting: bool = false:
 	set(value):
 		if value and not resting:
-			get_kind()  # what was set at the sky itself is a choice too
 			_chosen = sky.observer
 		resting = value
 
@@ -51,11 +57,8 @@ var _chosen: SkyObserver
 var _resting_observer := SkyObserver.new()
 
 
-## What is chosen. Follows a motion that was set at the sky itself.
+## What is chosen: here, or by a motion that was set at the sky itself.
 func get_kind() -> ObserverKind.Kind:
-	if not resting and MOTIONS[_kind] != sky.observer_motion:
-		var at := MOTIONS.values().find(sky.observer_motion)
-		_kind = MOTIONS.keys()[at] if at >= 0 else ObserverKind.Kind.RAIN
 	return _kind
 
 
@@ -118,6 +121,12 @@ func make(kind: ObserverKind.Kind, place: Vector3, up: Vector3) -> SkyObserver:
 		ObserverKind.Kind.ORBIT_LEFT:
 			observer.axis = -up
 	return observer
+
+
+func _follow() -> void:
+	if not resting and MOTIONS[_kind] != sky.observer_motion:
+		var at := MOTIONS.values().find(sky.observer_motion)
+		_kind = MOTIONS.keys()[at] if at >= 0 else ObserverKind.Kind.RAIN
 
 
 # In Schwarzschild radii of the hole as it is now.

@@ -13,8 +13,6 @@ signal began
 ## It is over; `completed`: it came to its own end, nobody left it.
 signal ended(completed: bool)
 signal pause_changed(paused: bool)
-## A fall has passed the horizon.
-signal crossed_horizon
 
 enum Kind { FALL, ORBIT_RIGHT, ORBIT_LEFT }
 enum State { NONE, COUNTDOWN, BEGINNING, RIDING, ENDING }
@@ -166,12 +164,9 @@ func _make(outward: Vector3, radius: float) -> Ride:
 
 
 func _go(seconds: float) -> void:
-	var radius := ride.get_place().length()
-	var passed := pace.passed(radius, seconds)
+	var passed := pace.passed(ride.get_place().length(), seconds)
 	var goes_on := passed == 0.0 or ride.advance(passed)
 	_take_along()
-	if radius > 1.0 and ride.get_place().length() <= 1.0:
-		crossed_horizon.emit()
 	if not goes_on:
 		_end(true)
 

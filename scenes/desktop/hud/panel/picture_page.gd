@@ -34,6 +34,8 @@ func _ready() -> void:
 	_projection.chosen.connect(_on_projection_chosen)
 	_map.chosen.connect(_on_map_chosen)
 	_orders.chosen.connect(func(at: int) -> void: sky.image_orders = at + 1)
+	sky.quality_changed.connect(_show_quality)
+	_show_quality()
 
 
 func refresh() -> void:
@@ -42,7 +44,6 @@ func refresh() -> void:
 	for line in _lines:
 		_lines[line].set_pressed_no_signal(sky.overlays & line != 0)
 	_spread.titles = spread_titles(sky.aperture_mm)
-	_spread.at = sky.psf_model
 	_projection.titles = projection_titles()
 	_projection.at = sky.projection
 	var maps := projection_titles()
@@ -53,7 +54,6 @@ func refresh() -> void:
 	for orders in SkySwitches.MOST_ORDERS:
 		counts.append(str(orders + 1))
 	_orders.titles = counts
-	_orders.at = sky.image_orders - 1
 
 
 ## What spreads a star's light, in the order of [enum BlackHoleSky.PointSpreadModel], with the
@@ -77,6 +77,11 @@ static func projection_titles() -> PackedStringArray:
 		_translated("Fisheye 220°"),
 		_translated("Fisheye 360°"),
 	]
+
+
+func _show_quality() -> void:
+	_spread.at = sky.psf_model
+	_orders.at = sky.image_orders - 1
 
 
 func _on_spread_chosen(at: int) -> void:
