@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -25,6 +26,10 @@ namespace {
 
 // Ten times the size of the largest table that makes sense; read no further.
 constexpr int64_t kLargestTable = int64_t(16) << 20;
+
+std::span<const std::uint8_t> bytes_of(const PackedByteArray &bytes) {
+	return {bytes.ptr(), static_cast<std::size_t>(bytes.size())};
+}
 
 } // namespace
 
@@ -78,11 +83,18 @@ Error LensingTable::load_file(const String &path) {
 						path),
 				ERR_FILE_CORRUPT);
 	}
-	const PackedByteArray bytes = file->get_buffer(static_cast<int64_t>(file->get_length()));
 	const CharString name = path.utf8();
-	blackhole::Outcome<blackhole::LensingTables> read = blackhole::read_lensing_tables(
-			std::span<const std::uint8_t>(bytes.ptr(), static_cast<std::size_t>(bytes.size())),
-			name.get_data());
+	// Its start tells of most files that they are none: before memory is asked for all of it.
+	const PackedByteArray head = file->get_buffer(static_cast<int64_t>(blackhole::kTableFileHeaderSize));
+	const std::string fault =
+			blackhole::table_file_fault(bytes_of(head), file->get_length(), name.get_data());
+	if (!fault.empty()) {
+		return refuse(String::utf8(fault.c_str()), ERR_FILE_CORRUPT);
+	}
+	file->seek(0);
+	const PackedByteArray bytes = file->get_buffer(static_cast<int64_t>(file->get_length()));
+	blackhole::Outcome<blackhole::LensingTables> read =
+			blackhole::read_lensing_tables(bytes_of(bytes), name.get_data());
 	if (!read) {
 		return refuse(String::utf8(read.error.c_str()), ERR_FILE_CORRUPT);
 	}

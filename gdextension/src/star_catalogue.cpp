@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -27,6 +28,14 @@ namespace {
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 // 32 million rows of CSV; a file beyond it is a mistake, not a catalogue.
 constexpr int64_t kLargestCatalogue = int64_t(2) << 30;
+
+std::span<const std::uint8_t> bytes_of(const PackedByteArray &bytes) {
+	return {bytes.ptr(), static_cast<std::size_t>(bytes.size())};
+}
+
+std::string_view text_of(const PackedByteArray &bytes) {
+	return {reinterpret_cast<const char *>(bytes.ptr()), static_cast<std::size_t>(bytes.size())};
+}
 
 double right_ascension_of(const glm::dvec3 &direction) {
 	const double angle = std::atan2(-direction.z, direction.x);
@@ -63,14 +72,23 @@ Error StarCatalogue::load_file(const String &path) {
 	if (static_cast<int64_t>(file->get_length()) > kLargestCatalogue) {
 		return refuse(vformat("Star catalogue %s is larger than 2 GiB. Split it or thin it out.", path));
 	}
-	const PackedByteArray bytes = file->get_buffer(static_cast<int64_t>(file->get_length()));
+	const bool is_csv = path.get_extension().to_lower() == "csv";
 	const CharString name = path.utf8();
-	const auto size = static_cast<std::size_t>(bytes.size());
 	const std::string_view file_name(name.get_data());
-	blackhole::Outcome<blackhole::StarTable> read = path.get_extension().to_lower() == "csv"
-			? blackhole::read_star_csv(
-					  std::string_view(reinterpret_cast<const char *>(bytes.ptr()), size), file_name)
-			: blackhole::read_star_file(std::span<const std::uint8_t>(bytes.ptr(), size), file_name);
+	// Its start tells of most files that they are none: before memory is asked for all of it.
+	const PackedByteArray head = file->get_buffer(
+			static_cast<int64_t>(is_csv ? blackhole::kStarCsvHead : blackhole::kStarFileHeaderSize));
+	const std::string fault = is_csv
+			? blackhole::star_csv_fault(text_of(head), file_name)
+			: blackhole::star_file_fault(bytes_of(head), file->get_length(), file_name);
+	if (!fault.empty()) {
+		return refuse(String::utf8(fault.c_str()));
+	}
+	file->seek(0);
+	const PackedByteArray bytes = file->get_buffer(static_cast<int64_t>(file->get_length()));
+	blackhole::Outcome<blackhole::StarTable> read = is_csv
+			? blackhole::read_star_csv(text_of(bytes), file_name)
+			: blackhole::read_star_file(bytes_of(bytes), file_name);
 	if (!read) {
 		return refuse(String::utf8(read.error.c_str()));
 	}

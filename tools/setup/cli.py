@@ -10,7 +10,7 @@ import sys
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from setup import bench, capture, display, kiosk, paths, prepare, screens, self_test, session, xr
+from setup import bench, capture, display, fuzz, kiosk, paths, prepare, screens, self_test, session, xr
 from setup.console import Failure, note, say
 
 FIRST_LOOK = paths.ROOT / "scenes" / "desktop" / "first_look.json"
@@ -122,6 +122,7 @@ SUBCOMMANDS = {
                         bench.run),
     "self-test": Subcommand("is this GPU right? draws, reads back, compares with the exact solution: [OUT.json] "
                             "[--renderer ...]", self_test.run),
+    "fuzz": Subcommand("try the readers of files with broken ones: [TARGET ...] [--minutes N]; see docs/robustness.md", fuzz.run),
     "editor": Subcommand("open the project in the Godot editor", _editor),
     "clean": Subcommand("remove all that was built and drawn; --cache removes the downloads too", _clean),
     "help": Subcommand("show this list", _help),

@@ -16,7 +16,7 @@ from functools import partial
 
 from setup import session
 from setup.console import Failure
-from testing import junit, kiosk_tests, programs, scripts, style, xr_tests
+from testing import fuzz_tests, junit, kiosk_tests, programs, sanitized, scripts, style, xr_tests
 from testing.context import RESULTS, Context
 from testing.junit import Case
 
@@ -32,6 +32,7 @@ class Stage:
     name: str
     summary: str
     run: Callable[[Context], list[Case]]
+    long: bool = False  # only where it is named, and with --all
     beside: bool = False  # may run at the same time as its neighbours of this kind, on a machine made ready
 
 
@@ -52,6 +53,7 @@ STAGES = [
     Stage("kiosk", "the exhibit with simulated visitors, killed, hung, its disk full", kiosk_tests.stage, beside=True),
     Stage("provider", "the binding provider under the address sanitizer", programs.provider_stage, beside=True),
     Stage("python", "unit tests of the tools", programs.python_stage, beside=True),
+    Stage("fuzz", "a moment of each fuzzer", fuzz_tests.stage, beside=True),
     Stage("gut", "GUT tests of the Godot classes", programs.gut_stage, beside=True),
     *(
         Stage(
@@ -61,6 +63,7 @@ STAGES = [
         for renderer in session.RENDERERS
     ),
     Stage("commands", "./run as a visitor uses it", programs.commands_stage),
+    Stage("sanitized", "core, threads and the extension under the sanitizers (with --all)", sanitized.stage, long=True),
 ]
 
 
@@ -76,7 +79,7 @@ def main(arguments: list[str]) -> int:
     parser.add_argument("--all", action="store_true", help="the long variants as well")
     chosen = parser.parse_args(arguments)
     try:
-        stages = select(chosen.stages)
+        stages = [stage for stage in select(chosen.stages) if chosen.all or chosen.stages or not stage.long]
     except ValueError as error:
         parser.error(str(error))
     context = Context(all_variants=chosen.all, with_headset=any(stage.name == "xr" for stage in stages))

@@ -9,6 +9,8 @@ extends RefCounted
 
 ## The names that come with the addon: all named stars down to magnitude 4.5.
 const FILE: String = "res://addons/blackhole_sky/data/star_names.csv"
+## Larger files are refused.
+const MOST_BYTES: int = 4 << 20
 const _HEADER: PackedStringArray = ["hip", "name", "ra_deg", "dec_deg", "vmag"]
 const _REMEDY: String = "Copy the file from the addon again; the class reference tells the format."
 
@@ -30,7 +32,12 @@ var _path: String
 static func load_file(path: String = FILE) -> StarNames:
 	var loaded := StarNames.new()
 	loaded._path = path
-	loaded._read(FileAccess.open(path, FileAccess.READ))
+	var text := BoundedText.from_file(path, MOST_BYTES)
+	if text.error.is_empty():
+		loaded._read(FileAccess.open(path, FileAccess.READ))
+	else:
+		var hint := "; in an export, whether its import type is 'Keep File'."
+		loaded.error = "Star name file %s %s" % [path, text.error.trim_suffix(".") + hint]
 	if not loaded.error.is_empty():
 		loaded._clear()
 	return loaded
@@ -42,12 +49,6 @@ func count_to(magnitude: float) -> int:
 
 
 func _read(file: FileAccess) -> void:
-	if file == null or file.get_length() == 0:
-		error = (
-			"Star name file %s is missing, unreadable or empty. Check the path%s."
-			% [_path, "; in an export, whether its import type is 'Keep File'"]
-		)
-		return
 	if file.get_csv_line() != _HEADER:
 		_refuse("its first line is not %s" % ",".join(_HEADER))
 		return
