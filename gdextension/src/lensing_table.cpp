@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -19,6 +18,7 @@
 #include "core/tables/table_file.h"
 #include "src/exact_results.h"
 #include "src/float_texture.h"
+#include "src/packed_bytes.h"
 
 using namespace godot;
 
@@ -26,10 +26,6 @@ namespace {
 
 // Ten times the size of the largest table that makes sense; read no further.
 constexpr int64_t kLargestTable = int64_t(16) << 20;
-
-std::span<const std::uint8_t> bytes_of(const PackedByteArray &bytes) {
-	return {bytes.ptr(), static_cast<std::size_t>(bytes.size())};
-}
 
 } // namespace
 

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -20,6 +19,7 @@
 #include "core/catalogue/star_csv.h"
 #include "core/catalogue/star_file.h"
 #include "src/glm_adapter.h"
+#include "src/packed_bytes.h"
 
 using namespace godot;
 
@@ -28,14 +28,6 @@ namespace {
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 // 32 million rows of CSV; a file beyond it is a mistake, not a catalogue.
 constexpr int64_t kLargestCatalogue = int64_t(2) << 30;
-
-std::span<const std::uint8_t> bytes_of(const PackedByteArray &bytes) {
-	return {bytes.ptr(), static_cast<std::size_t>(bytes.size())};
-}
-
-std::string_view text_of(const PackedByteArray &bytes) {
-	return {reinterpret_cast<const char *>(bytes.ptr()), static_cast<std::size_t>(bytes.size())};
-}
 
 double right_ascension_of(const glm::dvec3 &direction) {
 	const double angle = std::atan2(-direction.z, direction.x);

@@ -103,9 +103,14 @@ static func _radiance(file: FileAccess) -> Vector2i:
 			break
 		var words := _word(head, at, end - at).split(" ", false)
 		if words.size() == 4 and words[0] in ["-Y", "+Y"] and words[2] in ["-X", "+X"]:
-			return _checked(words[3].to_int(), words[1].to_int())
+			return _checked(_count(words[3]), _count(words[1]))
 		at = end + 1
 	return Vector2i.ZERO
+
+
+# A number of pixels; 0 for a text that is none.
+static func _count(text: String) -> int:
+	return text.to_int() if text.is_valid_int() and text.length() < 10 else 0
 
 
 # Printable characters alone: others are no part of any word that is looked for.
@@ -117,4 +122,6 @@ static func _word(bytes: PackedByteArray, from: int, length: int) -> String:
 
 
 static func _checked(width: int, height: int) -> Vector2i:
-	return Vector2i(width, height) if width > 0 and height > 0 else Vector2i.ZERO
+	if width <= 0 or height <= 0:
+		return Vector2i.ZERO
+	return Vector2i(mini(width, 0x7FFFFFFF), mini(height, 0x7FFFFFFF))

@@ -5,9 +5,9 @@ extends SceneTree
 ##     godot --headless --path . -s res://tests/fuzz/fuzz.gd -- --target=NAME --folder=DIR
 ##         [--seconds=N] [--seed=N] [--input=FILE]
 ##
-## Demanded are: no error of the engine or of a script, an answer within seconds, and what the target
-## demands. What fails is kept in the folder. With an input that one alone is tried. Exits 1 when
-## something failed, 2 for a wrong command line.
+## Demanded are: no error of the engine or of a script, an answer within seconds, and what the
+## target demands. What fails is kept in the folder. With an input that one alone is tried. Exits 1
+## when something failed, 2 for a wrong command line.
 
 const SLOW_MSEC: int = 4000
 const MOST_FINDINGS: int = 8
@@ -71,6 +71,8 @@ func _run(name: String, seconds: float) -> void:
 func _regressions(name: String) -> Array[PackedByteArray]:
 	var found: Array[PackedByteArray] = []
 	var folder := "res://tests/fuzz/seeds".path_join(name)
+	if not DirAccess.dir_exists_absolute(folder):
+		return found
 	for file in DirAccess.get_files_at(folder):
 		if file.get_extension() != "import":
 			found.append(FileAccess.get_file_as_bytes(folder.path_join(file)))

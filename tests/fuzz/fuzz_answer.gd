@@ -17,7 +17,7 @@ func demand(holds: bool, property: String) -> void:
 		broken = property
 
 
-## Notes complaints, each of which must say something, and name the file or (of part of a file) a key.
+## Notes complaints, each of which must say something, and name the file unless `name` is empty.
 func complain(texts: PackedStringArray, name: String) -> void:
 	complaints.append_array(texts)
 	for text in texts:

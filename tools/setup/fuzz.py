@@ -31,6 +31,9 @@ class Wish:
 
 def run(arguments: list[str]) -> int:
     """The subcommand: one fuzzer after the other; 1 when something was found."""
+    if arguments in (["--help"], ["-h"]):
+        print(USAGE)
+        return 0
     wish = parse(arguments)
     folder, godot = ready(wish.targets)
     found = False

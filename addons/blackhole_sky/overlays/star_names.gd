@@ -34,7 +34,9 @@ static func load_file(path: String = FILE) -> StarNames:
 	loaded._path = path
 	var text := BoundedText.from_file(path, MOST_BYTES)
 	if text.error.is_empty():
-		loaded._read(FileAccess.open(path, FileAccess.READ))
+		loaded._check_quotes(text.text)
+		if loaded.error.is_empty():
+			loaded._read(FileAccess.open(path, FileAccess.READ))
 	else:
 		var hint := "; in an export, whether its import type is 'Keep File'."
 		loaded.error = "Star name file %s %s" % [path, text.error.trim_suffix(".") + hint]
@@ -46,6 +48,17 @@ static func load_file(path: String = FILE) -> StarNames:
 ## How many of the first stars are at least as bright as a magnitude.
 func count_to(magnitude: float) -> int:
 	return magnitudes.bsearch(magnitude, false)
+
+
+## Each star has a line of its own. The engine would look for the end of a quote in all lines that
+## follow, which takes time as their square.
+func _check_quotes(text: String) -> void:
+	var line := 0
+	for written in text.split("\n"):
+		line += 1
+		if written.count('"') % 2 == 1:
+			_refuse("line %d has a quote that is not closed" % line)
+			return
 
 
 func _read(file: FileAccess) -> void:
@@ -64,7 +77,8 @@ func _read_star(cells: PackedStringArray, line: int) -> void:
 	if cells.size() != _HEADER.size():
 		_refuse("line %d has %d values instead of %d" % [line, cells.size(), _HEADER.size()])
 		return
-	if not cells[0].is_valid_int() or cells[0].to_int() <= 0 or cells[1].is_empty():
+	var is_number := cells[0].is_valid_int() and cells[0].length() < 10
+	if not is_number or cells[0].to_int() <= 0 or cells[1].is_empty():
 		_refuse("line %d lacks a Hipparcos number or a name" % line)
 		return
 	for cell in cells.slice(2):

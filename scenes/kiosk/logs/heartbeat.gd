@@ -51,7 +51,7 @@ static func read(folder: String) -> Dictionary:
 	var text := BoundedText.from_file(path, AtomicFile.MOST_BYTES).text
 	if parser.parse(text) != OK or not parser.data is Dictionary:
 		return {}
-	return parser.data
+	return parser.data if not JsonKinds.is_deeper(parser.data, 4) else {}
 
 
 func _text(facts: Dictionary) -> String:

@@ -44,7 +44,7 @@ static func parse(
 			faults.append(
 				(
 					_translated("%s: '%s' cannot be %s, but one of: %s. The default counts.")
-					% [_shown(path), name, JSON.stringify(found[name]), setting.rule()]
+					% [_shown(path), name, JsonWords.value(found[name]), setting.rule()]
 				)
 			)
 		elif setting.kind == Setting.Kind.BINDINGS:

@@ -29,7 +29,9 @@ const NUMBERS: PackedStringArray = [
 	"[]",
 	"{}",
 ]
-const BYTES: PackedByteArray = [0, 9, 10, 13, 32, 34, 39, 44, 45, 91, 92, 93, 123, 125, 128, 192, 237, 255]
+const BYTES: PackedByteArray = [
+	0, 9, 10, 13, 32, 34, 39, 44, 45, 91, 92, 93, 123, 125, 128, 192, 237, 255
+]
 
 var _random: RandomNumberGenerator
 var _words: PackedStringArray
@@ -54,23 +56,26 @@ func changed(bytes: PackedByteArray, other: PackedByteArray) -> PackedByteArray:
 func _once(bytes: PackedByteArray, other: PackedByteArray) -> PackedByteArray:
 	var at := _place(bytes)
 	var end := mini(bytes.size(), at + 1 + _random.randi() % 32)
+	var result := bytes
 	match _random.randi() % 9:
 		0:
-			return _flipped(bytes, at)
+			result = _flipped(bytes, at)
 		1:
-			return bytes.slice(0, at) + bytes.slice(end)
+			result = bytes.slice(0, at) + bytes.slice(end)
 		2:
-			return bytes.slice(0, end) + bytes.slice(at)
+			result = bytes.slice(0, end) + bytes.slice(at)
 		3:
-			return bytes.slice(0, at)
+			result = bytes.slice(0, at)
 		4:
 			var from := _place(other)
-			return bytes.slice(0, at) + other.slice(from, from + 64) + bytes.slice(at)
+			result = bytes.slice(0, at) + other.slice(from, from + 64) + bytes.slice(at)
 		5, 6:
-			return _with_other_number(bytes)
+			result = _with_other_number(bytes)
 		7:
-			return _with_word(bytes, at)
-	return bytes.slice(0, at) + _repeated() + bytes.slice(at)
+			result = _with_word(bytes, at)
+		_:
+			result = bytes.slice(0, at) + _repeated() + bytes.slice(at)
+	return result
 
 
 func _place(bytes: PackedByteArray) -> int:

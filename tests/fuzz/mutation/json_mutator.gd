@@ -5,7 +5,21 @@ extends RefCounted
 ## lists and objects deep in each other.
 
 const SCALARS: Array = [
-	null, true, false, 0, -1, 0.5, 1e-300, 1e18, -1e300, 2147483648, "", "x", "0", "\u0000", "\u00e9"
+	null,
+	true,
+	false,
+	0,
+	-1,
+	0.5,
+	1e-300,
+	1e18,
+	-1e300,
+	2147483648,
+	"",
+	"x",
+	"0",
+	"\u0000",
+	"\u00e9"
 ]
 const DEPTHS: PackedInt32Array = [1, 5, 63, 70, 400, 1200]
 
@@ -67,31 +81,35 @@ func _change_list(list: Array, other: Variant) -> void:
 		1:
 			list.insert(at, _copy(list[at]))
 		2:
-			for i in [2, 30, 1000][_random.randi() % 3]:
-				list.append(_copy(list[at]) if i < 50 else list[at])
+			# Many of a list of many lists would be a file that nobody waits for.
+			var many: int = [2, 20, 1000][_random.randi() % 3]
+			var is_plain := list[at] is not Array and list[at] is not Dictionary
+			for i in many if is_plain else 3:
+				list.append(_copy(list[at]))
 		_:
 			list[at] = _replacement(list[at], other)
 
 
 func _replacement(value: Variant, other: Variant) -> Variant:
+	var result: Variant = SCALARS[_random.randi() % SCALARS.size()]
 	match _random.randi() % 8:
 		0:
-			return _piece(other)
+			result = _piece(other)
 		1:
-			return _nested(value)
+			result = _nested(value)
 		2:
-			return [value]
+			result = [value]
 		3:
-			return {"key": value}
+			result = {"key": value}
 		4:
 			if JsonKinds.is_number(value):
 				var number: float = value
-				return number * [-1.0, 0.0, 2.0, 1e-9, 1e9, 1.0000001][_random.randi() % 6]
+				result = number * [-1.0, 0.0, 2.0, 1e-9, 1e9, 1.0000001][_random.randi() % 6]
 		5:
 			if value is String:
 				var text: String = value
-				return text.repeat([2, 100, 20000][_random.randi() % 3])
-	return SCALARS[_random.randi() % SCALARS.size()]
+				result = text.repeat([2, 100, 20000][_random.randi() % 3]).left(50000)
+	return result
 
 
 func _nested(value: Variant) -> Variant:
@@ -113,7 +131,9 @@ func _piece(other: Variant) -> Variant:
 	elif holder is Dictionary:
 		var object: Dictionary = holder
 		values = object.values()
-	return _copy(values[_random.randi() % values.size()]) if not values.is_empty() else _copy(holder)
+	return (
+		_copy(values[_random.randi() % values.size()]) if not values.is_empty() else _copy(holder)
+	)
 
 
 # What is in each other deeply is not followed to the end.

@@ -9,7 +9,9 @@ func _init() -> void:
 
 
 func seeds() -> Array[PackedByteArray]:
-	var all: Dictionary = JSON.parse_string(FileAccess.get_file_as_string(ConstellationFigures.FILE))
+	var all: Dictionary = JSON.parse_string(
+		FileAccess.get_file_as_string(ConstellationFigures.FILE)
+	)
 	var rows: Array = all["constellations"]
 	return [
 		json({"constellations": rows.slice(0, 3)}),

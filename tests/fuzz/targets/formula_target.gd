@@ -7,7 +7,9 @@ var _style := FormulaStyle.with(ThemeDB.fallback_font, 22, Color.WHITE)
 
 func _init() -> void:
 	file_name = "formula.txt"
-	words = ["\\frac{", "\\sqrt{", "\\paren{", "\\abs{", "\\text{", "\\quad", "\\sin", "_", "^", "{", "}"]
+	words = [
+		"\\frac{", "\\sqrt{", "\\paren{", "\\abs{", "\\text{", "\\quad", "\\sin", "_", "^", "{", "}"
+	]
 
 
 func seeds() -> Array[PackedByteArray]:

@@ -4,24 +4,25 @@ extends FuzzTarget
 ## visits' log and the heartbeat of the exhibit, the place of a visitor in the headset.
 
 const VISITS: Dictionary = {
-	"last": 41, "today": "2026-01-02", "count_today": 3, "open":
-	{"number": 41, "start": "2026-01-02T10:11:12", "language": "de", "mode": "headset"}
+	"last": 41,
+	"today": "2026-01-02",
+	"count_today": 3,
+	"open": {"number": 41, "start": "2026-01-02T10:11:12", "language": "de", "mode": "headset"}
 }
 const BEAT: Dictionary = {"beat": 7, "pid": 4711, "time": 1.7e9, "step": "VISIT", "visits_today": 3}
-const PLACE: String = (
-	"[place]\n\nradius=0.2\nhole=Vector3(0, 1.5, -2)\n"
-	+ "room=Transform3D(1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0)\n"
-)
+const PLACE: Dictionary = {
+	"radius": 0.2, "hole": [0, 1.5, -2], "room": [1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0]
+}
 
 
 func _init() -> void:
 	file_name = "visits.json"
 	is_json = true
-	words = ["Vector3(", "Transform3D(", "nan", "inf", "[place]\n", "radius=", "Object(Node)", "null"]
+	words = ["last", "today", "number", "radius", "1e300", "null", "[", "{"]
 
 
 func seeds() -> Array[PackedByteArray]:
-	return [json(VISITS), json(BEAT), PLACE.to_utf8_buffer()]
+	return [json(VISITS), json(BEAT), json(PLACE)]
 
 
 func read(path: String) -> FuzzAnswer:
@@ -38,9 +39,9 @@ func read(path: String) -> FuzzAnswer:
 	var beat := Heartbeat.read(folder)
 	if beat.is_empty():
 		answer.complaints.append("no heartbeat")
-	_put(folder.path_join("place.cfg"), bytes)
+	_put(folder.path_join("place.json"), bytes)
 	var sky := BlackHoleSky.new()
-	var stands: Variant = VisitMemory.recall(sky, folder.path_join("place.cfg"))
+	var stands: Variant = VisitMemory.recall(sky, folder.path_join("place.json"))
 	if stands == null:
 		answer.complaints.append("no place")
 	else:

@@ -49,7 +49,9 @@ func _frames(path: String) -> float:
 
 func _demand_limits(spec: ShotSpec, answer: FuzzAnswer) -> void:
 	var size := spec.resolution
-	answer.demand(mini(size.x, size.y) >= 1 and maxi(size.x, size.y) <= 8192, "a size in its limits")
+	answer.demand(
+		mini(size.x, size.y) >= 1 and maxi(size.x, size.y) <= 8192, "a size in its limits"
+	)
 	answer.demand(Vec3D.length(spec.position) <= 1e12, "a place in its limits")
 	answer.demand(absf(Vec3D.length(spec.forward) - 1.0) < 1e-9, "a direction of length 1")
 	answer.demand(absf(Vec3D.length(spec.up) - 1.0) < 1e-9, "an upward direction of length 1")

@@ -1,14 +1,21 @@
 # SPDX-License-Identifier: MIT
-## Uses every class of the extension, at the ends of all ranges and beyond, and says so at the end. That nothing
-## was wrong is the sanitizer's to say.
+## Uses every class of the extension, at the ends of all ranges and beyond, and says so at the end.
+## That nothing was wrong is the sanitizer's to say.
 ##
 ## Started as [code]godot --headless -s res://exercise.gd[/code].
 extends SceneTree
 
 const DATA := "res://addons/blackhole_sky/data/"
 const END := "EXERCISE COMPLETE"
-## What a property may be set to, whatever its type is.
-const ODD_NUMBERS: Array[float] = [0.0, -1.0, 1e-30, 1e30, 0.5, 3.0, NAN, INF, -INF]
+## What properties of a type are set to.
+const ODD_VALUES: Dictionary[int, Array] = {
+	TYPE_BOOL: [true, false],
+	TYPE_INT: [0, 1, 2, -1, 1 << 20, -(1 << 31), 1 << 40],
+	TYPE_FLOAT: [0.0, -1.0, 1e-30, 1e30, 0.5, 3.0, NAN, INF, -INF],
+	TYPE_STRING: ["", "res://nowhere", DATA + "hipparcos.stars", "\u00e9\u00e9\u00e9"],
+	TYPE_VECTOR3: [Vector3.ZERO, Vector3.UP, Vector3(NAN, INF, 1e30), Vector3(0, 0, 10)],
+	TYPE_OBJECT: [null],
+}
 
 var _properties := 0
 
@@ -30,7 +37,10 @@ func _initialize() -> void:
 func _classes() -> PackedStringArray:
 	var found: PackedStringArray = []
 	for cls in ClassDB.get_class_list():
-		if ClassDB.class_get_api_type(cls) == ClassDB.API_EXTENSION and ClassDB.can_instantiate(cls):
+		if (
+			ClassDB.class_get_api_type(cls) == ClassDB.API_EXTENSION
+			and ClassDB.can_instantiate(cls)
+		):
 			found.append(cls)
 	return found
 
@@ -60,7 +70,9 @@ func _use_table() -> LensingTable:
 func _use_catalogue() -> StarCatalogue:
 	var catalogue := StarCatalogue.new()
 	assert(catalogue.load_file(DATA + "hipparcos.stars") == OK)
-	for wrong: String in [DATA + "schwarzschild.lut", DATA + "star_names.csv", "res://nowhere.csv", ""]:
+	for wrong: String in [
+		DATA + "schwarzschild.lut", DATA + "star_names.csv", "res://nowhere.csv", ""
+	]:
 		catalogue.load_file(wrong)
 	for index in [-1, 0, 5, 1 << 30]:
 		catalogue.get_star_name(index)
@@ -73,7 +85,8 @@ func _use_catalogue() -> StarCatalogue:
 	return few
 
 
-## Sets each property to values of its type at and beyond the ends, while the object works; then frees it.
+## Sets each property to values of its type at and beyond the ends, while the object works; then
+## frees it.
 func _use_class(cls: String, table: LensingTable, catalogue: StarCatalogue) -> void:
 	var object: Object = ClassDB.instantiate(cls)
 	var node := object as Node
@@ -111,29 +124,13 @@ func _use_property(object: Object, property: Dictionary, draws: bool) -> void:
 
 
 func _values(property: Dictionary) -> Array:
+	var type: int = property["type"]
 	var hint: String = property["hint_string"]
-	match int(property["type"]):
-		TYPE_BOOL:
-			return [true, false]
-		TYPE_INT:
-			return [0, 1, 2, -1, 1 << 20, -(1 << 31), 1 << 40]
-		TYPE_FLOAT:
-			var values: Array = ODD_NUMBERS.duplicate()
-			for word in hint.split(",").slice(0, 2):
-				values.append(word.to_float())
-			return values
-		TYPE_STRING, TYPE_STRING_NAME, TYPE_NODE_PATH:
-			return ["", "res://nowhere", DATA + "hipparcos.stars", "\u00e9".repeat(1000)]
-		TYPE_VECTOR3:
-			return [Vector3.ZERO, Vector3.UP, Vector3(NAN, INF, 1e30), Vector3(0, 0, 10)]
-		TYPE_OBJECT:
-			return [null]
-	return [null, before_type(int(property["type"]))]
-
-
-## The empty value of a type.
-func before_type(type: int) -> Variant:
-	return type_convert(null, type)
+	var values: Array = ODD_VALUES.get(type, [null, type_convert(null, type)])
+	if type == TYPE_FLOAT:
+		for word in hint.split(",").slice(0, 2):
+			values = values + [word.to_float()]
+	return values
 
 
 ## Tables and nodes that are freed while they are at work.
