@@ -17,13 +17,20 @@ Outcome<std::string> read_file(const std::string &path, std::size_t limit) {
 	if (!file || folder) {
 		return Outcome<std::string>::failure(path + ": cannot be opened; check the path");
 	}
+	const auto refused = [&] {
+		return Outcome<std::string>::failure(path + ": larger than " + std::to_string(limit) +
+				" bytes, so it is not what was asked for; check the path");
+	};
+	// What is no regular file, such as /dev/stdin, tells no size.
+	if (const auto size = std::filesystem::file_size(path, code); !code && size > limit) {
+		return refused();
+	}
 	std::string content;
 	char block[65536];
 	while (file.read(block, sizeof block) || file.gcount() > 0) {
 		content.append(block, static_cast<std::size_t>(file.gcount()));
 		if (content.size() > limit) {
-			return Outcome<std::string>::failure(path + ": larger than " + std::to_string(limit) +
-					" bytes, so it is not what was asked for");
+			return refused();
 		}
 	}
 	if (file.bad()) {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <span>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -18,6 +18,7 @@
 #include "core/tables/table_file.h"
 #include "src/exact_results.h"
 #include "src/float_texture.h"
+#include "src/packed_bytes.h"
 
 using namespace godot;
 
@@ -90,11 +91,18 @@ Error LensingTable::load_file(const String &path) {
 						path),
 				ERR_FILE_CORRUPT);
 	}
-	const PackedByteArray bytes = file->get_buffer(static_cast<int64_t>(file->get_length()));
 	const CharString name = path.utf8();
-	blackhole::Outcome<blackhole::LensingTables> read = blackhole::read_lensing_tables(
-			std::span<const std::uint8_t>(bytes.ptr(), static_cast<std::size_t>(bytes.size())),
-			name.get_data());
+	// Its start tells of most files that they are none: before memory is asked for all of it.
+	const PackedByteArray head = file->get_buffer(static_cast<int64_t>(blackhole::kTableFileHeaderSize));
+	const std::string fault =
+			blackhole::table_file_fault(bytes_of(head), file->get_length(), name.get_data());
+	if (!fault.empty()) {
+		return refuse(String::utf8(fault.c_str()), ERR_FILE_CORRUPT);
+	}
+	file->seek(0);
+	const PackedByteArray bytes = file->get_buffer(static_cast<int64_t>(file->get_length()));
+	blackhole::Outcome<blackhole::LensingTables> read =
+			blackhole::read_lensing_tables(bytes_of(bytes), name.get_data());
 	if (!read) {
 		return refuse(String::utf8(read.error.c_str()), ERR_FILE_CORRUPT);
 	}

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <span>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -20,6 +20,7 @@
 #include "core/catalogue/star_csv.h"
 #include "core/catalogue/star_file.h"
 #include "src/glm_adapter.h"
+#include "src/packed_bytes.h"
 
 using namespace godot;
 
@@ -64,8 +65,21 @@ Error StarCatalogue::load_file(const String &path) {
 	if (static_cast<int64_t>(file->get_length()) > kLargestCatalogue) {
 		return refuse(vformat("Star catalogue %s is larger than 2 GiB. Split it or thin it out.", path));
 	}
+	const bool is_csv = path.get_extension().to_lower() == "csv";
+	const CharString name = path.utf8();
+	const std::string_view file_name(name.get_data());
+	// Its start tells of most files that they are none: before memory is asked for all of it.
+	const PackedByteArray head = file->get_buffer(
+			static_cast<int64_t>(is_csv ? blackhole::kStarCsvHead : blackhole::kStarFileHeaderSize));
+	const std::string fault = is_csv
+			? blackhole::star_csv_fault(text_of(head), file_name)
+			: blackhole::star_file_fault(bytes_of(head), file->get_length(), file_name);
+	if (!fault.empty()) {
+		return refuse(String::utf8(fault.c_str()));
+	}
+	file->seek(0);
 	const PackedByteArray bytes = file->get_buffer(static_cast<int64_t>(file->get_length()));
-	const Error error = read(bytes, path, path.get_extension().to_lower() == "csv");
+	const Error error = read(bytes, path, is_csv);
 	if (error == OK) {
 		emit_changed();
 	}
@@ -76,9 +90,7 @@ Error StarCatalogue::load_bytes(const PackedByteArray &bytes, const String &name
 	if (bytes.size() > kLargestCatalogue) {
 		return refuse(vformat("Star catalogue %s is larger than 2 GiB. Split it or thin it out.", name));
 	}
-	const auto size = static_cast<std::size_t>(bytes.size());
-	const bool is_csv = !blackhole::is_star_file(std::span<const std::uint8_t>(bytes.ptr(), size));
-	const Error error = read(bytes, name, is_csv);
+	const Error error = read(bytes, name, !blackhole::is_star_file(bytes_of(bytes)));
 	if (error == OK) {
 		source_file = String(); // whose stars they no longer are
 		emit_changed();
@@ -88,12 +100,10 @@ Error StarCatalogue::load_bytes(const PackedByteArray &bytes, const String &name
 
 Error StarCatalogue::read(const PackedByteArray &bytes, const String &name, bool is_csv) {
 	const CharString utf8_name = name.utf8();
-	const auto size = static_cast<std::size_t>(bytes.size());
 	const std::string_view called(utf8_name.get_data());
 	blackhole::Outcome<blackhole::StarTable> read = is_csv
-			? blackhole::read_star_csv(
-					  std::string_view(reinterpret_cast<const char *>(bytes.ptr()), size), called)
-			: blackhole::read_star_file(std::span<const std::uint8_t>(bytes.ptr(), size), called);
+			? blackhole::read_star_csv(text_of(bytes), called)
+			: blackhole::read_star_file(bytes_of(bytes), called);
 	if (!read) {
 		return refuse(String::utf8(read.error.c_str()));
 	}

@@ -37,11 +37,15 @@ func _run() -> void:
 
 
 func _take_list(list_path: String) -> void:
-	var parsed: Variant = JSON.parse_string(FileAccess.get_file_as_string(list_path))
-	if parsed is not Array:
+	var file := BoundedText.from_file(list_path, ShotSpec.MOST_BYTES)
+	if not file.error.is_empty():
+		_fail(list_path, file.error)
+		return
+	var parser := JSON.new()
+	if parser.parse(file.text) != OK or parser.data is not Array:
 		_fail(list_path, 'a batch is a JSON list of {"shot": ..., "out": ...}.')
 		return
-	var list: Array = parsed
+	var list: Array = parser.data
 	var folder := list_path.get_base_dir()
 	for entry: Variant in list:
 		var item: Dictionary = entry if entry is Dictionary else {}

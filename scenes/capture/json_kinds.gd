@@ -45,6 +45,23 @@ static func is_json(value: Variant) -> bool:
 	return value == null or value is bool or is_number(value) or is_type(value, "string")
 
 
+## Whether a value has lists and objects in each other, more than `levels` deep.
+static func is_deeper(value: Variant, levels: int) -> bool:
+	var level: Array = [value]
+	for i in levels + 1:
+		var below: Array = []
+		for item: Variant in level:
+			if item is Array:
+				below.append_array(item)
+			elif item is Dictionary:
+				var object: Dictionary = item
+				below.append_array(object.values())
+		if below.is_empty():
+			return false
+		level = below
+	return true
+
+
 ## Whether two values are the same to JSON: 1 and 1.0 are, 1 and true are not.
 static func same(a: Variant, b: Variant) -> bool:
 	if is_number(a) and is_number(b):

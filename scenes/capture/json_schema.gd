@@ -47,6 +47,10 @@ const KEYWORDS: Dictionary[String, String] = {
 	"else": "schema",
 }
 
+## Data with more lists and objects in each other are refused: to walk through them takes a call for
+## each.
+const DEEPEST: int = 64
+
 ## Why the schema was refused; empty when it is fine.
 var error: String = ""
 
@@ -85,6 +89,8 @@ func check(data: Variant) -> String:
 	if not error.is_empty():
 		return error
 	var title: String = _schema.get("title", "value")
+	if JsonKinds.is_deeper(data, DEEPEST):
+		return "A %s has no lists and objects %d deep in each other." % [title, DEEPEST]
 	var checker := JsonSchemaCheck.new(_definitions, title)
 	var faults := checker.faults(data, _schema, "")
 	if not faults.is_empty():

@@ -17,7 +17,7 @@ const TYPES: Dictionary[String, String] = {
 
 ## A value as JSON writes it, cut short where it is long.
 static func value(shown: Variant) -> String:
-	var text := _whole_value(shown)
+	var text := _whole_value(shown, 0)
 	return text if text.length() <= LONGEST_VALUE else text.left(LONGEST_VALUE - 3) + "..."
 
 
@@ -125,7 +125,9 @@ static func _plural(text: String) -> String:
 	return text.trim_prefix("a ")
 
 
-static func _whole_value(shown: Variant) -> String:
+static func _whole_value(shown: Variant, depth: int) -> String:
+	if depth > LONGEST_VALUE:
+		return "..."
 	if shown is float or shown is int:
 		var number: float = shown
 		return "%d" % number if absf(number) < 1e15 and number == roundf(number) else str(number)
@@ -133,11 +135,13 @@ static func _whole_value(shown: Variant) -> String:
 	if shown is Array:
 		var items: Array = shown
 		for item: Variant in items:
-			texts.append(_whole_value(item))
+			texts.append(_whole_value(item, depth + 1))
 		return "[%s]" % ", ".join(texts)
 	if shown is Dictionary:
 		var object: Dictionary = shown
 		for key: Variant in object:
-			texts.append("%s: %s" % [JSON.stringify(str(key)), _whole_value(object[key])])
+			texts.append(
+				"%s: %s" % [JSON.stringify(str(key)), _whole_value(object[key], depth + 1)]
+			)
 		return "{%s}" % ", ".join(texts)
 	return JSON.stringify(shown)

@@ -10,6 +10,8 @@ extends RefCounted
 enum Background { NONE, GRID, MILKY_WAY, FILE }
 
 const SCHEMA_FILE: String = "res://scenes/capture/shot.schema.json"
+## Of a shot's file, and of a list of shots: some 40,000 keyframes.
+const MOST_BYTES: int = 4 << 20
 const BACKGROUNDS: PackedStringArray = ["none", "grid", "milky_way"]
 ## In the order of the bits of BlackHoleSky.Overlay.
 const OVERLAYS: PackedStringArray = [
@@ -86,13 +88,13 @@ var _files: ShotFiles
 
 ## Reads a shot from a file. Paths inside are looked up beside it, then in the `further_folder`.
 static func from_file(path: String, further_folder: String = "") -> ShotSpec:
-	var text := FileAccess.get_file_as_string(path)
-	if text.is_empty():
+	var file := BoundedText.from_file(path, MOST_BYTES)
+	if not file.error.is_empty():
 		var refused := ShotSpec.new()
-		refused.error = "Shot file %s is missing, unreadable or empty." % path
+		refused.error = "Shot file %s %s" % [path, file.error]
 		return refused
 	var parser := JSON.new()
-	if parser.parse(text) != OK:
+	if parser.parse(file.text) != OK:
 		var refused := ShotSpec.new()
 		refused.error = (
 			"Shot file %s is no JSON: line %d: %s."

@@ -183,12 +183,12 @@ func _set_background(spec: ShotSpec, refusal: PackedStringArray) -> bool:
 			_sky.panorama_luminance = MilkyWay.LUMINANCE
 			_sky.background = BlackHoleSky.BACKGROUND_PANORAMA
 		ShotSpec.Background.FILE:
-			var picture := Image.load_from_file(spec.background_file)
-			if picture == null or picture.is_empty():
-				refusal.append("background: %s cannot be read as a picture." % spec.background_file)
+			var picture := BackgroundPicture.from_file(spec.background_file)
+			if not picture.error.is_empty():
+				refusal.append(picture.error)
 				return false
-			picture.generate_mipmaps()
-			_sky.panorama = ImageTexture.create_from_image(picture)
+			picture.image.generate_mipmaps()
+			_sky.panorama = ImageTexture.create_from_image(picture.image)
 			_sky.panorama_luminance = 1.0
 			_sky.background = BlackHoleSky.BACKGROUND_PANORAMA
 	return true

@@ -11,6 +11,8 @@ extends RefCounted
 ## What is added to the name of the text on its way, and of the former one.
 const NEW: String = ".new"
 const FORMER: String = ".bak"
+## Larger files are none of those that are written here.
+const MOST_BYTES: int = 1 << 18
 ## Seconds after which a file is surely on the disk.
 const RESTED: int = 60
 
@@ -32,7 +34,7 @@ static func write(path: String, text: String) -> Error:
 static func read(path: String, is_good: Callable) -> String:
 	for candidate: String in [path, path + NEW, path + FORMER]:
 		if FileAccess.file_exists(candidate):
-			var text := text_of(FileAccess.get_file_as_bytes(candidate))
+			var text := BoundedText.from_file(candidate, MOST_BYTES).text
 			var good: bool = is_good.call(text)
 			if good:
 				return text
@@ -44,20 +46,6 @@ static func remove(path: String) -> void:
 	for candidate: String in [path, path + NEW, path + FORMER]:
 		if FileAccess.file_exists(candidate):
 			DirAccess.remove_absolute(candidate)
-
-
-## What the bytes say; empty when they are no UTF-8 text. The engine would report each byte.
-static func text_of(bytes: PackedByteArray) -> String:
-	var following := 0
-	for byte in bytes:
-		var continues := byte & 0xC0 == 0x80
-		if continues != (following > 0) or byte == 0 or byte > 0xF4 or byte == 0xC0 or byte == 0xC1:
-			return ""
-		if continues:
-			following -= 1
-		elif byte >= 0xC2:
-			following = 1 if byte < 0xE0 else (2 if byte < 0xF0 else 3)
-	return bytes.get_string_from_utf8() if following == 0 else ""
 
 
 static func _write_beside(path: String, text: String) -> Error:

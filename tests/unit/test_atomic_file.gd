@@ -83,5 +83,5 @@ func test_what_cannot_be_written_is_told_and_leaves_the_rest_alone() -> void:
 
 func test_bytes_that_are_no_text() -> void:
 	for bytes: Array in [[0xff], [0x41, 0], [0xe2, 0x41, 0x41], [0xe2, 0x82], [0x80], [0xc0, 0x80]]:
-		assert_eq(AtomicFile.text_of(PackedByteArray(bytes)), "", str(bytes))
-	assert_eq(AtomicFile.text_of("aä€𝄞".to_utf8_buffer()), "aä€𝄞")
+		assert_eq(BoundedText.text_of(PackedByteArray(bytes)), "", str(bytes))
+	assert_eq(BoundedText.text_of("aä€𝄞".to_utf8_buffer()), "aä€𝄞")

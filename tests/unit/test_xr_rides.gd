@@ -132,7 +132,7 @@ func test_orbits_that_are_too_near_are_taken_farther_out() -> void:
 
 func test_the_place_is_kept_for_a_new_start() -> void:
 	var scratch := ScratchFolder.new("place")
-	var file := scratch.file("place.cfg")
+	var file := scratch.file("place.json")
 	rig.jump_to(Vector3(1.0, 0.2, 2.0))
 	VisitMemory.store(0.5, sky.global_position, rig.get_room(), file)
 	var other: BlackHoleSky = autofree(BlackHoleSky.new())
@@ -142,7 +142,9 @@ func test_the_place_is_kept_for_a_new_start() -> void:
 	assert_almost_eq(other.schwarzschild_radius, 0.5, 1e-6)
 	assert_eq(other.global_position, sky.global_position)
 	assert_null(VisitMemory.recall(other, file), "and forgotten")
-	FileAccess.open(file, FileAccess.WRITE).store_string("[place]\nradius=-3.0\nroom=5\n")
+	FileAccess.open(file, FileAccess.WRITE).store_string(
+		'{"radius": -3.0, "hole": [0, 0, 0], "room": 5}'
+	)
 	assert_null(VisitMemory.recall(other, file), "damaged")
 
 

@@ -20,6 +20,8 @@ SCRIPT = "res://scenes/capture/capture.gd"
 USAGE = """usage: ./run capture SHOT.json OUT.png|OUT.exr
        ./run capture SEQUENCE.json OUT/|OUT_%04d.png|OUT_%04d.exr|OUT.mp4|OUT.webm|OUT.avi
        ./run capture --batch LIST.json"""
+# ShotSpec.MOST_BYTES
+MOST_BYTES = 4 << 20
 _FRAME = re.compile(r"capture frame (\d+)/(\d+)")
 
 
@@ -34,7 +36,7 @@ class Job:
 
 def run(arguments: list[str]) -> int:
     """The subcommand; returns the exit status."""
-    jobs, base = _jobs(arguments)
+    jobs, base = read_jobs(arguments)
     for job in jobs:
         _check_movie(job)
     grouped: dict[tuple[str, bool], list[Job]] = {}
@@ -86,7 +88,7 @@ def _check_movie(job: Job) -> None:
     movie.encoders(job.out)
 
 
-def _jobs(arguments: list[str]) -> tuple[list[Job], Path]:
+def read_jobs(arguments: list[str]) -> tuple[list[Job], Path]:
     """The pictures, and the folder from which paths inside a description may count."""
     if len(arguments) == 2 and arguments[0] == "--batch":
         return _batch(Path(arguments[1]))
@@ -115,9 +117,14 @@ def _batch(path: Path) -> tuple[list[Job], Path]:
 
 def _read_json(path: Path) -> object:
     try:
+        size = path.stat().st_size
+        if size > MOST_BYTES:
+            raise Failure(f"capture: {path} has {size} bytes; a shot or a list of shots may have {MOST_BYTES}")
         return json.loads(path.read_text(encoding="utf-8"))
     except OSError as error:
         raise Failure(f"capture: cannot read {path}: {error.strerror}") from error
+    except RecursionError as error:
+        raise Failure(f"capture: {path} has too many lists and objects in each other") from error
     except ValueError as error:
         raise Failure(f"capture: {path} is not JSON: {error}") from error
 

@@ -12,7 +12,9 @@ from dataclasses import dataclass
 
 from package import command as package
 from package import exports
-from setup import bench, capture, display, kiosk, paths, prepare, screens, self_test, session, xr
+from setup import (
+    bench, capture, display, fuzz, kiosk, paths, prepare, screens, self_test, session, xr,
+)
 from setup.console import Failure, note, say
 
 FIRST_LOOK = paths.ROOT / "scenes" / "desktop" / "first_look.json"
@@ -128,6 +130,7 @@ SUBCOMMANDS = {
                           package.run),
     "export": Subcommand("the demo as a program: [Linux|Windows|Quest] [--debug] [--out DIR]; see docs/exporting.md",
                          exports.run),
+    "fuzz": Subcommand("try the readers of files with broken ones: [TARGET ...] [--minutes N]; see docs/robustness.md", fuzz.run),
     "editor": Subcommand("open the project in the Godot editor", _editor),
     "clean": Subcommand("remove all that was built and drawn; --cache removes the downloads too", _clean),
     "help": Subcommand("show this list", _help),

@@ -23,6 +23,9 @@ CHECKS = [
     "python3-jsonschema",
 ]
 
+# The fuzzers' compiler; the runtime that goes with it depends on its version.
+FUZZERS = ["clang"]
+
 _DPKG_STATUS = Path("/var/lib/dpkg/status")
 
 

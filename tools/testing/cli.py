@@ -17,7 +17,7 @@ from functools import partial
 from setup import session
 from setup.console import Failure
 from testing import (
-    editor_tests, junit, kiosk_tests, package_tests, programs, scripts, style, xr_tests,
+    editor_tests, fuzz_tests, junit, kiosk_tests, package_tests, programs, sanitized, scripts, style, xr_tests,
 )
 from testing.context import RESULTS, Context
 from testing.junit import Case
@@ -34,6 +34,7 @@ class Stage:
     name: str
     summary: str
     run: Callable[[Context], list[Case]]
+    long: bool = False  # only where it is named, and with --all
     beside: bool = False  # may run at the same time as its neighbours of this kind, on a machine made ready
 
 
@@ -55,6 +56,7 @@ STAGES = [
     Stage("editor", "the addon in the editor itself, and the class reference", editor_tests.stage, beside=True),
     Stage("provider", "the binding provider under the address sanitizer", programs.provider_stage, beside=True),
     Stage("python", "unit tests of the tools", programs.python_stage, beside=True),
+    Stage("fuzz", "a moment of each fuzzer", fuzz_tests.stage, beside=True),
     Stage("gut", "GUT tests of the Godot classes", programs.gut_stage, beside=True),
     *(
         Stage(
@@ -65,6 +67,7 @@ STAGES = [
     ),
     Stage("commands", "./run as a visitor uses it", programs.commands_stage),
     Stage("package", "the addon's zip in a new project, the demo exported", package_tests.stage),
+    Stage("sanitized", "core, threads and the extension under the sanitizers (with --all)", sanitized.stage, long=True),
 ]
 
 
@@ -80,7 +83,7 @@ def main(arguments: list[str]) -> int:
     parser.add_argument("--all", action="store_true", help="the long variants as well")
     chosen = parser.parse_args(arguments)
     try:
-        stages = select(chosen.stages)
+        stages = [stage for stage in select(chosen.stages) if chosen.all or chosen.stages or not stage.long]
     except ValueError as error:
         parser.error(str(error))
     context = Context(all_variants=chosen.all, with_headset=any(stage.name == "xr" for stage in stages))

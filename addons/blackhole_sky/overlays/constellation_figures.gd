@@ -29,6 +29,8 @@ class Figure:
 
 ## The figures that come with the addon.
 const FILE: String = "res://addons/blackhole_sky/data/constellations.json"
+## Larger files are refused.
+const MOST_BYTES: int = 4 << 20
 const _LANGUAGES: PackedStringArray = ["la", "de"]
 const _REMEDY: String = "Copy the file from the addon again; the class reference tells the format."
 
@@ -44,7 +46,11 @@ var _path: String
 static func load_file(path: String = FILE) -> ConstellationFigures:
 	var loaded := ConstellationFigures.new()
 	loaded._path = path
-	loaded._read(FileAccess.get_file_as_string(path))
+	var file := BoundedText.from_file(path, MOST_BYTES)
+	if file.error.is_empty():
+		loaded._read(file.text)
+	else:
+		loaded.error = "Constellation file %s %s" % [path, file.error]
 	if not loaded.error.is_empty():
 		loaded.figures = []
 	return loaded
@@ -59,9 +65,6 @@ func find(id: String) -> Figure:
 
 
 func _read(text: String) -> void:
-	if text.is_empty():
-		error = "Constellation file %s is missing, unreadable or empty. Check the path." % _path
-		return
 	var parser := JSON.new()
 	if parser.parse(text) != OK:
 		_refuse(

@@ -9,6 +9,8 @@ extends RefCounted
 
 ## The names that come with the addon: all named stars down to magnitude 4.5.
 const FILE: String = "res://addons/blackhole_sky/data/star_names.csv"
+## Larger files are refused.
+const MOST_BYTES: int = 4 << 20
 const _HEADER: PackedStringArray = ["hip", "name", "ra_deg", "dec_deg", "vmag"]
 const _REMEDY: String = "Copy the file from the addon again; the class reference tells the format."
 
@@ -30,7 +32,14 @@ var _path: String
 static func load_file(path: String = FILE) -> StarNames:
 	var loaded := StarNames.new()
 	loaded._path = path
-	loaded._read(FileAccess.open(path, FileAccess.READ))
+	var text := BoundedText.from_file(path, MOST_BYTES)
+	if text.error.is_empty():
+		loaded._check_quotes(text.text)
+		if loaded.error.is_empty():
+			loaded._read(FileAccess.open(path, FileAccess.READ))
+	else:
+		var hint := "; in an export, whether its import type is 'Keep File'."
+		loaded.error = "Star name file %s %s" % [path, text.error.trim_suffix(".") + hint]
 	if not loaded.error.is_empty():
 		loaded._clear()
 	return loaded
@@ -41,13 +50,18 @@ func count_to(magnitude: float) -> int:
 	return magnitudes.bsearch(magnitude, false)
 
 
+## Each star has a line of its own. The engine would look for the end of a quote in all lines that
+## follow, which takes time as their square.
+func _check_quotes(text: String) -> void:
+	var line := 0
+	for written in text.split("\n"):
+		line += 1
+		if written.count('"') % 2 == 1:
+			_refuse("line %d has a quote that is not closed" % line)
+			return
+
+
 func _read(file: FileAccess) -> void:
-	if file == null or file.get_length() == 0:
-		error = (
-			"Star name file %s is missing, unreadable or empty. Check the path%s."
-			% [_path, "; in an export, whether its import type is 'Keep File'"]
-		)
-		return
 	if file.get_csv_line() != _HEADER:
 		_refuse("its first line is not %s" % ",".join(_HEADER))
 		return
@@ -63,7 +77,8 @@ func _read_star(cells: PackedStringArray, line: int) -> void:
 	if cells.size() != _HEADER.size():
 		_refuse("line %d has %d values instead of %d" % [line, cells.size(), _HEADER.size()])
 		return
-	if not cells[0].is_valid_int() or cells[0].to_int() <= 0 or cells[1].is_empty():
+	var is_number := cells[0].is_valid_int() and cells[0].length() < 10
+	if not is_number or cells[0].to_int() <= 0 or cells[1].is_empty():
 		_refuse("line %d lacks a Hipparcos number or a name" % line)
 		return
 	for cell in cells.slice(2):

@@ -25,8 +25,16 @@ CsvRecords::CsvRecords(std::string_view p_text) : m_text(p_text) {
 	}
 }
 
+std::size_t CsvRecords::limit() const {
+	return m_start + std::min(kLongestRecord + 1, m_text.size() - m_start);
+}
+
+bool CsvRecords::is_too_long() const {
+	return m_at - m_start > kLongestRecord;
+}
+
 bool CsvRecords::at_line_end() const {
-	return m_at >= m_text.size() || m_text[m_at] == '\n' || m_text[m_at] == '\r';
+	return m_at >= limit() || m_text[m_at] == '\n' || m_text[m_at] == '\r';
 }
 
 void CsvRecords::skip_line_end() {
@@ -43,18 +51,23 @@ void CsvRecords::skip_line_end() {
 
 void CsvRecords::skip_idle_lines() {
 	while (m_at < m_text.size()) {
-		const std::size_t end = std::min(m_text.find_first_of("\r\n", m_at), m_text.size());
-		const std::string_view line = trimmed(m_text.substr(m_at, end - m_at));
+		m_start = m_at;
+		const std::string_view longest = m_text.substr(m_at, kLongestRecord + 1);
+		const std::size_t size = std::min(longest.find_first_of("\r\n"), longest.size());
+		const std::string_view line = trimmed(longest.substr(0, size));
 		if (!line.empty() && line.front() != '#') {
 			return;
 		}
-		m_at = end;
+		m_at += size;
+		if (is_too_long()) {
+			return;
+		}
 		skip_line_end();
 	}
 }
 
 bool CsvRecords::read_quoted(std::string &r_field) {
-	for (++m_at; m_at < m_text.size(); ++m_at) {
+	for (++m_at; m_at < limit(); ++m_at) {
 		const char c = m_text[m_at];
 		const bool next_is_quote = m_at + 1 < m_text.size() && m_text[m_at + 1] == '"';
 		if (c == '"' && !next_is_quote) {
@@ -77,13 +90,14 @@ bool CsvRecords::read_field() {
 	}
 	std::string &field = m_fields[m_count++];
 	field.clear();
-	const std::size_t first = std::min(m_text.find_first_not_of(" \t", m_at), m_text.size());
-	if (first < m_text.size() && m_text[first] == '"') {
+	const std::string_view text = m_text.substr(0, limit());
+	const std::size_t first = std::min(text.find_first_not_of(" \t", m_at), text.size());
+	if (first < text.size() && text[first] == '"') {
 		m_at = first;
 		if (!read_quoted(field)) {
 			return false;
 		}
-		m_at = std::min(m_text.find_first_not_of(" \t", m_at), m_text.size());
+		m_at = std::min(text.find_first_not_of(" \t", m_at), text.size());
 		if (!at_line_end() && m_text[m_at] != ',') {
 			m_fault = "text follows a closing quote: put a comma after it, or double the quotes inside the "
 					  "field";
@@ -91,22 +105,38 @@ bool CsvRecords::read_field() {
 		}
 		return true;
 	}
-	const std::size_t end = std::min(m_text.find_first_of(",\r\n", m_at), m_text.size());
-	field = trimmed(m_text.substr(m_at, end - m_at));
+	const std::size_t end = std::min(text.find_first_of(",\r\n", m_at), text.size());
+	field = trimmed(text.substr(m_at, end - m_at));
 	m_at = end;
 	return true;
 }
 
 bool CsvRecords::next() {
+	if (!m_fault.empty()) {
+		return false;
+	}
 	skip_idle_lines();
-	if (m_at >= m_text.size() || !m_fault.empty()) {
+	if (m_at >= m_text.size()) {
 		return false;
 	}
 	m_record_line = m_line;
+	const bool found = read_record();
+	if (is_too_long()) {
+		m_fault = "the line is longer than " + std::to_string(kLongestRecord) +
+				" bytes, so this is no table: give each star a line of its own, and look for a quote that is "
+				"not closed";
+		return false;
+	}
+	if (found) {
+		skip_line_end();
+	}
+	return found;
+}
+
+bool CsvRecords::read_record() {
 	m_count = 0;
-	while (read_field()) {
+	while (!is_too_long() && read_field()) {
 		if (at_line_end()) {
-			skip_line_end();
 			m_fields.resize(m_count);
 			return true;
 		}

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -15,6 +16,23 @@ inline constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
 /// Temperature of a star whose catalogue gives neither temperature nor colour: the Sun's, so that it looks
 /// white.
 inline constexpr float kTemperatureWithoutColour = 5772.0F;
+
+/// Least and greatest value of a quantity.
+struct Range {
+	double least;
+	double most;
+
+	constexpr bool holds(double p_value) const { return p_value >= least && p_value <= most; }
+};
+
+/// What a catalogue may say of a star; anything else is a mistake, such as another unit.
+inline constexpr Range kMagnitudes{-100.0, 100.0};
+inline constexpr Range kColourIndices{-5.0, 20.0};
+inline constexpr Range kTemperatures{100.0, 1e9};
+inline constexpr Range kParallaxes{-1e6, 1e6};
+
+/// How many stars a catalogue may have: with all that is made of it this many fill a large machine's memory.
+inline constexpr std::size_t kMostStars = 50'000'000;
 
 /// One star as its catalogue gives it. Angles are ICRS at epoch J2000.0.
 struct Star {

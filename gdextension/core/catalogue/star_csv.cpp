@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/catalogue/csv_records.h"
+#include "core/catalogue/plain_text.h"
 #include "core/photometry/colour_index.h"
 
 namespace blackhole {
@@ -30,10 +31,10 @@ struct ColumnRule {
 constexpr std::array<ColumnRule, kColumns> kRules = {{
 		{"ra_deg", -360.0, 360.0, true, "-360 to 360 degrees"},
 		{"dec_deg", -90.0, 90.0, true, "-90 to 90 degrees"},
-		{"vmag", -100.0, 100.0, true, "-100 to 100 magnitudes"},
-		{"bv", -5.0, 20.0, false, "-5 to 20 magnitudes, or empty"},
-		{"temperature_k", 100.0, 1e9, false, "100 to 1e9 kelvin, or empty"},
-		{"parallax_mas", -1e6, 1e6, false, "-1e6 to 1e6 milliarcseconds, or empty"},
+		{"vmag", kMagnitudes.least, kMagnitudes.most, true, "-100 to 100 magnitudes"},
+		{"bv", kColourIndices.least, kColourIndices.most, false, "-5 to 20 magnitudes, or empty"},
+		{"temperature_k", kTemperatures.least, kTemperatures.most, false, "100 to 1e9 kelvin, or empty"},
+		{"parallax_mas", kParallaxes.least, kParallaxes.most, false, "-1e6 to 1e6 milliarcseconds, or empty"},
 		{"hip", 0.0, 4294967295.0, false, "a whole number from 0 to 4294967295, or empty"},
 		{"name", 0.0, 0.0, false, "text"},
 }};
@@ -102,7 +103,7 @@ public:
 			}
 			values[column] = parse(text);
 			if (!accepts(column, values[column])) {
-				return "the value '" + std::string(text) + "' of column '" +
+				return "the value '" + shown_in_message(text) + "' of column '" +
 						std::string(kRules[column].name) + "' is not usable: give " +
 						std::string(kRules[column].range) + ", or remove the row";
 			}
@@ -119,6 +120,10 @@ public:
 											: kTemperatureWithoutColour;
 		star.temperature_k = number(values[kTemperature], of_colour);
 		if (const std::string_view name = field(p_fields, kName); !name.empty()) {
+			if (!is_plain_text(name)) {
+				return "the name '" + shown_in_message(name) +
+						"' is not UTF-8: save the file in that encoding";
+			}
 			star.name = static_cast<std::uint32_t>(r_table.names.size());
 			r_table.names.emplace_back(name);
 		}
@@ -152,6 +157,19 @@ Outcome<StarTable> refuse(std::string_view p_name, std::size_t p_line, const std
 
 } // namespace
 
+std::string star_csv_fault(std::string_view p_head, std::string_view p_name) {
+	CsvRecords records(p_head.substr(0, kStarCsvHead));
+	const bool found = records.next();
+	if (records.is_at_end()) { // the header line may go on
+		return {};
+	}
+	if (!found) {
+		return refuse(p_name, records.line(), records.fault()).error;
+	}
+	const Outcome<Places> places = find_columns(records.fields());
+	return places ? std::string() : refuse(p_name, records.line(), places.error).error;
+}
+
 Outcome<StarTable> read_star_csv(std::string_view p_text, std::string_view p_name) {
 	CsvRecords records(p_text);
 	if (!records.next()) {
@@ -168,6 +186,10 @@ Outcome<StarTable> read_star_csv(std::string_view p_text, std::string_view p_nam
 	const RowReader reader(*places.value);
 	StarTable table;
 	while (records.next()) {
+		if (table.stars.size() == kMostStars) {
+			return refuse(p_name, records.line(),
+					"more than " + std::to_string(kMostStars) + " stars: keep the brightest ones only");
+		}
 		if (const std::string wrong = reader.read(records.fields(), table); !wrong.empty()) {
 			return refuse(p_name, records.line(), wrong);
 		}

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
+#include <string>
 #include <string_view>
 
 #include "core/catalogue/star.h"
@@ -18,8 +20,16 @@ namespace blackhole {
 ///   name              UTF-8
 /// Further columns are ignored; an empty field of an optional column means unknown. Without temperature_k the
 /// temperature follows from bv (ColourTemperature), without both it is kTemperatureWithoutColour. Refuses a
-/// missing or doubled column, a value that is not finite or out of range and a table without rows; the
-/// message names p_name, the line and the remedy.
+/// missing or doubled column, a value that is not finite or out of range, a name that is not UTF-8, a line
+/// over 65536 bytes, more than kMostStars rows and a table without rows; the message names p_name, the line
+/// and the remedy.
 Outcome<StarTable> read_star_csv(std::string_view p_text, std::string_view p_name);
+
+/// How much of a file's start star_csv_fault looks at, bytes.
+inline constexpr std::size_t kStarCsvHead = 131072;
+
+/// What is wrong with a table whose text starts with p_head, as far as its header line tells: with it a file
+/// is refused before all of it is read. Empty when nothing is, or when p_head ends before the header line.
+std::string star_csv_fault(std::string_view p_head, std::string_view p_name);
 
 } // namespace blackhole

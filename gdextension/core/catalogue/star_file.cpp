@@ -8,8 +8,11 @@
 #include <cstring>
 #include <numbers>
 #include <string>
+#include <utility>
 
 #include <zlib.h>
+
+#include "core/catalogue/plain_text.h"
 
 namespace blackhole {
 
@@ -19,7 +22,6 @@ constexpr std::array<std::uint8_t, 8> kMagic = {'B', 'H', 'S', 'T', 'A', 'R', 'S
 constexpr std::uint32_t kVersion = 1;
 constexpr double kEpoch = 2000.0;
 constexpr std::size_t kChecksumAt = 32;
-constexpr std::size_t kHeaderSize = 36;
 constexpr std::uint64_t kStarSize = 28;
 constexpr double kRadiansPerUnit = 2.0 * std::numbers::pi / 4294967296.0;
 constexpr std::int64_t kQuarterTurn = 1 << 30;
@@ -46,7 +48,7 @@ void store(std::uint8_t *p_to, T p_value) {
 /// CRC-32 (zlib's) of the file without the checksum itself.
 std::uint32_t checksum(std::span<const std::uint8_t> p_bytes) {
 	const auto head = crc32_z(0, p_bytes.data(), kChecksumAt);
-	const auto body = p_bytes.subspan(kHeaderSize);
+	const auto body = p_bytes.subspan(kStarFileHeaderSize);
 	return static_cast<std::uint32_t>(crc32_z(head, body.data(), body.size()));
 }
 
@@ -60,31 +62,35 @@ struct Header {
 	std::uint32_t text;
 };
 
-/// Empty when the header fits the bytes, otherwise what is wrong and what to do.
-std::string check_header(std::span<const std::uint8_t> p_bytes, const Header &p_header) {
-	const std::uint64_t expected =
-			kHeaderSize + kStarSize * p_header.stars + 4ULL * p_header.names + std::uint64_t{p_header.text};
-	if (p_bytes.size() != expected) {
-		return "has " + std::to_string(p_bytes.size()) + " bytes where its header announces " +
+Header header_of(std::span<const std::uint8_t> p_head) {
+	return {load<std::uint32_t>(p_head.data() + 12), load<std::uint32_t>(p_head.data() + 16),
+			load<std::uint32_t>(p_head.data() + 20)};
+}
+
+/// Empty when the header fits a file of this size, otherwise what is wrong and what to do.
+std::string check_size(const Header &p_header, std::uint64_t p_size) {
+	const std::uint64_t expected = kStarFileHeaderSize + kStarSize * p_header.stars + 4ULL * p_header.names +
+			std::uint64_t{p_header.text};
+	if (p_size != expected) {
+		return "has " + std::to_string(p_size) + " bytes where its header announces " +
 				std::to_string(expected) + "; it is truncated or damaged: copy it again or rebuild it with " +
 				"tools/catalogue/build_hipparcos.py";
-	}
-	if (load<std::uint32_t>(p_bytes.data() + kChecksumAt) != checksum(p_bytes)) {
-		return "its checksum is wrong, so the file is damaged: copy it again or rebuild it with "
-			   "tools/catalogue/build_hipparcos.py";
 	}
 	if (p_header.stars == 0) {
 		return "holds no star: choose another catalogue";
 	}
-	if (load<double>(p_bytes.data() + 24) != kEpoch) {
-		return "is not for epoch J2000.0: build it again with positions of that epoch";
+	if (p_header.stars > kMostStars) {
+		return "holds more than " + std::to_string(kMostStars) + " stars: keep the brightest ones only";
 	}
 	return {};
 }
 
 bool plausible(const Star &p_star) {
-	return std::isfinite(p_star.v_magnitude) && std::isfinite(p_star.temperature_k) &&
-			p_star.temperature_k > 0.0F && !std::isinf(p_star.b_minus_v) && !std::isinf(p_star.parallax_mas);
+	const auto known = [](float p_value, const Range &p_range) {
+		return std::isnan(p_value) || p_range.holds(p_value);
+	};
+	return kMagnitudes.holds(p_star.v_magnitude) && kTemperatures.holds(p_star.temperature_k) &&
+			known(p_star.b_minus_v, kColourIndices) && known(p_star.parallax_mas, kParallaxes);
 }
 
 /// Reads the columns; false when a value is out of range.
@@ -119,7 +125,9 @@ bool read_names(const std::uint8_t *p_from, const Header &p_header, StarTable &r
 			return false;
 		}
 		r_table.stars[star].name = static_cast<std::uint32_t>(r_table.names.size());
-		r_table.names.emplace_back(text, stop);
+		if (!is_plain_text(r_table.names.emplace_back(text, stop))) {
+			return false;
+		}
 		text = stop + 1;
 	}
 	return text == end;
@@ -131,24 +139,39 @@ bool is_star_file(std::span<const std::uint8_t> p_bytes) {
 	return p_bytes.size() >= kMagic.size() && std::equal(kMagic.begin(), kMagic.end(), p_bytes.begin());
 }
 
-Outcome<StarTable> read_star_file(std::span<const std::uint8_t> p_bytes, std::string_view p_name) {
-	if (p_bytes.size() < kHeaderSize || !std::equal(kMagic.begin(), kMagic.end(), p_bytes.begin())) {
+std::string star_file_fault(
+		std::span<const std::uint8_t> p_head, std::uint64_t p_size, std::string_view p_name) {
+	if (p_head.size() < kStarFileHeaderSize || !std::equal(kMagic.begin(), kMagic.end(), p_head.begin())) {
 		return refuse(
-				p_name, "is not a .stars catalogue: give a file made by tools/catalogue, or a .csv table");
+				p_name, "is not a .stars catalogue: give a file made by tools/catalogue, or a .csv table")
+				.error;
 	}
-	if (const auto version = load<std::uint32_t>(p_bytes.data() + 8); version != kVersion) {
+	if (const auto version = load<std::uint32_t>(p_head.data() + 8); version != kVersion) {
 		return refuse(p_name,
 				"is of version " + std::to_string(version) + ", this program reads version " +
-						std::to_string(kVersion) + ": rebuild it with tools/catalogue/build_hipparcos.py");
+						std::to_string(kVersion) + ": rebuild it with tools/catalogue/build_hipparcos.py")
+				.error;
 	}
-	const Header header{load<std::uint32_t>(p_bytes.data() + 12), load<std::uint32_t>(p_bytes.data() + 16),
-			load<std::uint32_t>(p_bytes.data() + 20)};
-	if (const std::string wrong = check_header(p_bytes, header); !wrong.empty()) {
-		return refuse(p_name, wrong);
+	const std::string wrong = check_size(header_of(p_head), p_size);
+	return wrong.empty() ? wrong : refuse(p_name, wrong).error;
+}
+
+Outcome<StarTable> read_star_file(std::span<const std::uint8_t> p_bytes, std::string_view p_name) {
+	if (std::string fault = star_file_fault(p_bytes, p_bytes.size(), p_name); !fault.empty()) {
+		return Outcome<StarTable>::failure(std::move(fault));
 	}
+	if (load<std::uint32_t>(p_bytes.data() + kChecksumAt) != checksum(p_bytes)) {
+		return refuse(p_name,
+				"its checksum is wrong, so the file is damaged: copy it again or rebuild it with "
+				"tools/catalogue/build_hipparcos.py");
+	}
+	if (load<double>(p_bytes.data() + 24) != kEpoch) {
+		return refuse(p_name, "is not for epoch J2000.0: build it again with positions of that epoch");
+	}
+	const Header header = header_of(p_bytes);
 	StarTable table;
 	table.stars.resize(header.stars);
-	const std::uint8_t *const columns = p_bytes.data() + kHeaderSize;
+	const std::uint8_t *const columns = p_bytes.data() + kStarFileHeaderSize;
 	if (!read_stars(columns, table.stars) || !read_names(columns + kStarSize * header.stars, header, table)) {
 		return refuse(p_name, "has values out of range: rebuild it with tools/catalogue/build_hipparcos.py");
 	}
@@ -168,14 +191,15 @@ std::vector<std::uint8_t> write_star_file(const StarTable &p_table) {
 			text += name + '\0';
 		}
 	}
-	std::vector<std::uint8_t> bytes(kHeaderSize + kStarSize * stars.size() + 4 * named.size() + text.size());
+	std::vector<std::uint8_t> bytes(
+			kStarFileHeaderSize + kStarSize * stars.size() + 4 * named.size() + text.size());
 	std::copy(kMagic.begin(), kMagic.end(), bytes.begin());
 	store(bytes.data() + 8, kVersion);
 	store(bytes.data() + 12, static_cast<std::uint32_t>(stars.size()));
 	store(bytes.data() + 16, static_cast<std::uint32_t>(named.size()));
 	store(bytes.data() + 20, static_cast<std::uint32_t>(text.size()));
 	store(bytes.data() + 24, kEpoch);
-	std::uint8_t *at = bytes.data() + kHeaderSize;
+	std::uint8_t *at = bytes.data() + kStarFileHeaderSize;
 	const auto column = [&](const auto &p_from, auto p_value_of) {
 		for (const auto &each : p_from) {
 			store(at, p_value_of(each));

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -15,9 +17,16 @@ namespace blackhole {
 bool is_star_file(std::span<const std::uint8_t> p_bytes);
 
 /// Reads the .stars format (see README.md in this folder) from memory. p_name is the file's name for
-/// messages. Fails on a wrong magic, version, size or checksum and on values out of range; nothing is
-/// allocated from a count that the size of p_bytes does not bear out.
+/// messages. Fails on a wrong magic, version, size or checksum and on values out of range (star.h); nothing
+/// is allocated from a count that the size of p_bytes does not bear out.
 Outcome<StarTable> read_star_file(std::span<const std::uint8_t> p_bytes, std::string_view p_name);
+
+inline constexpr std::size_t kStarFileHeaderSize = 36;
+
+/// What is wrong with a file of p_size bytes that starts with p_head (kStarFileHeaderSize bytes, or all there
+/// are), as far as these tell: with it a file is refused before it is read. Empty when nothing is.
+std::string star_file_fault(
+		std::span<const std::uint8_t> p_head, std::uint64_t p_size, std::string_view p_name);
 
 /// The bytes of a .stars file with the stars of p_table, brightest first. Angles are rounded to 2^-32 of a
 /// turn (0.3 milliarcseconds).

@@ -71,7 +71,7 @@ bool is_side(std::uint32_t size) {
 }
 
 /// What is wrong with the header of a file of this size; empty if it is in order.
-std::string header_fault(std::span<const std::uint8_t> bytes) {
+std::string header_fault(std::span<const std::uint8_t> bytes, std::uint64_t size) {
 	if (bytes.size() < kMagic.size() || std::memcmp(bytes.data(), kMagic.data(), kMagic.size()) != 0) {
 		return "it is no lensing table (the file does not start with BHLENS)";
 	}
@@ -99,8 +99,8 @@ std::string header_fault(std::span<const std::uint8_t> bytes) {
 	// At most 4096 x 4096 x 4 x 16 bytes: no overflow in 64 bits.
 	const std::uint64_t texels = std::uint64_t{columns} * rows + std::uint64_t{ray_columns} * ray_rows;
 	const std::uint64_t expected = kTableFileHeaderSize + 2 * texels * kChannels * sizeof(float);
-	if (bytes.size() != expected) {
-		return "it has " + std::to_string(bytes.size()) + " bytes instead of " + std::to_string(expected);
+	if (size != expected) {
+		return "it has " + std::to_string(size) + " bytes instead of " + std::to_string(expected);
 	}
 	if (columns != kTableColumns || rows != kTableRows || ray_columns != kRayColumns ||
 			ray_rows != kRayRows || std::abs(get_double(bytes, kLnUMinAt) - std::log(kTableUMin)) > 1e-12 ||
@@ -108,10 +108,11 @@ std::string header_fault(std::span<const std::uint8_t> bytes) {
 			get_double(bytes, kXLimitAt) != kTableXLimit) {
 		return "its grid is not the one the shaders are written for";
 	}
-	if (get<std::uint32_t>(bytes, kDataCrcAt) != checksum(bytes.subspan(kTableFileHeaderSize))) {
-		return "its table values are damaged (checksum)";
-	}
 	return {};
+}
+
+std::string refusal(const std::string &name, const std::string &fault) {
+	return "Lensing table " + name + " cannot be used: " + fault + ". Re-make it with ./run bake.";
 }
 
 /// Decodes floats; false if one is not finite.
@@ -158,8 +159,18 @@ std::vector<std::uint8_t> write_lensing_tables(const LensingTables &tables) {
 	return bytes;
 }
 
-Outcome<LensingTables> read_lensing_tables(std::span<const std::uint8_t> bytes, const std::string &name) {
-	std::string fault = header_fault(bytes);
+std::string table_file_fault(
+		std::span<const std::uint8_t> head, std::uint64_t size, const std::string &name) {
+	const std::string fault = header_fault(head, size);
+	return fault.empty() ? fault : refusal(name, fault);
+}
+
+Outcome<LensingTables> parse_lensing_tables(std::span<const std::uint8_t> bytes, const std::string &name) {
+	std::string fault = header_fault(bytes, bytes.size());
+	if (fault.empty() &&
+			get<std::uint32_t>(bytes, kDataCrcAt) != checksum(bytes.subspan(kTableFileHeaderSize))) {
+		fault = "its table values are damaged (checksum)";
+	}
 	LensingTables tables;
 	if (fault.empty()) {
 		tables.columns = static_cast<int>(get<std::uint32_t>(bytes, kColumnsAt));
@@ -182,11 +193,17 @@ Outcome<LensingTables> read_lensing_tables(std::span<const std::uint8_t> bytes, 
 		}
 	}
 	if (!fault.empty()) {
-		return Outcome<LensingTables>::failure(
-				"Lensing table " + name + " cannot be used: " + fault + ". Re-make it with ./run bake.");
+		return Outcome<LensingTables>::failure(refusal(name, fault));
 	}
-	tables.ray_texels = sample_ray_tables(tables.rays);
 	return Outcome<LensingTables>::success(std::move(tables));
+}
+
+Outcome<LensingTables> read_lensing_tables(std::span<const std::uint8_t> bytes, const std::string &name) {
+	Outcome<LensingTables> tables = parse_lensing_tables(bytes, name);
+	if (tables) {
+		tables.value->ray_texels = sample_ray_tables(tables.value->rays);
+	}
+	return tables;
 }
 
 } // namespace blackhole

@@ -17,6 +17,8 @@ const OPERATOR_SPACE: float = 0.16
 ## After a comma, and round the names of functions.
 const THIN_SPACE: float = 0.1
 const WIDE_SPACE: float = 0.55
+## So many brackets, fractions, roots and scripts may be in each other.
+const DEEPEST: int = 24
 ## Signs that are not slanted, as digits are not.
 const UPRIGHT: String = "0123456789.,:;()[]!/°∞′∂%"
 
@@ -25,12 +27,14 @@ var error: String = ""
 
 var _text: String
 var _at: int = 0
+var _depth: int = 0
 
 
 ## The formula as a box; as far as it could be read, where there is an error.
 func parse(formula: String, style: FormulaStyle) -> FormulaBox:
 	_text = formula
 	_at = 0
+	_depth = 0
 	error = ""
 	var row := _row(style)
 	if _at < _text.length():
@@ -85,7 +89,11 @@ func _argument(style: FormulaStyle) -> FormulaBox:
 			return FormulaBox.new()
 		return _atom(style)
 	_take()
+	_depth += 1
+	if _depth > DEEPEST:
+		_refuse("too much in each other")
 	var inside := _row(style)
+	_depth -= 1
 	if _take() != "}":
 		_refuse("{ without }")
 	return inside

@@ -38,9 +38,13 @@ static func from_file(file: String) -> KioskConfig:
 		var missing := from_data({}, file)
 		missing.complaints.append("There is no %s: all settings are the defaults." % file)
 		return missing
+	var written := BoundedText.from_file(file, AtomicFile.MOST_BYTES)
+	if not written.error.is_empty():
+		var unread := from_data({}, file)
+		unread.complaints.append("%s %s All settings are the defaults." % [file, written.error])
+		return unread
 	var parser := JSON.new()
-	var written := AtomicFile.text_of(FileAccess.get_file_as_bytes(file))
-	if parser.parse(written) != OK or not parser.data is Dictionary:
+	if parser.parse(written.text) != OK or not parser.data is Dictionary:
 		var broken := from_data({}, file)
 		broken.complaints.append(
 			(

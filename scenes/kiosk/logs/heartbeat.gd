@@ -48,10 +48,10 @@ static func read(folder: String) -> Dictionary:
 	if not FileAccess.file_exists(path):
 		return {}
 	var parser := JSON.new()
-	var text := AtomicFile.text_of(FileAccess.get_file_as_bytes(path))
+	var text := BoundedText.from_file(path, AtomicFile.MOST_BYTES).text
 	if parser.parse(text) != OK or not parser.data is Dictionary:
 		return {}
-	return parser.data
+	return parser.data if not JsonKinds.is_deeper(parser.data, 4) else {}
 
 
 func _text(facts: Dictionary) -> String:

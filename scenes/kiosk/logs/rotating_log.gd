@@ -4,6 +4,8 @@ extends RefCounted
 ## A log of lines that never grows too large, and that a full disk does not stop: lines wait until
 ## there is room again.
 
+## A line is not longer than this, bytes.
+const LONGEST_LINE: int = 4096
 ## So many lines wait at most; older ones are then given up.
 const MOST_WAITING: int = 2000
 
@@ -54,10 +56,22 @@ func flush() -> bool:
 ## The last line that is not the head, in this file or the one before it; empty: there is none.
 func get_last_line() -> String:
 	for file: String in [path, _older(1)]:
-		var lines := FileAccess.get_file_as_string(file).split("\n", false)
+		var lines := _end_of(file).split("\n", false)
 		if not lines.is_empty() and lines[-1] != _head:
 			return lines[-1]
 	return ""
+
+
+func _end_of(file: String) -> String:
+	var read := FileAccess.open(file, FileAccess.READ)
+	if read == null:
+		return ""
+	read.seek(maxi(0, read.get_length() - LONGEST_LINE))
+	var bytes := read.get_buffer(LONGEST_LINE)
+	# Not from the middle of a line, which may be the middle of a character.
+	if read.get_length() > LONGEST_LINE:
+		bytes = bytes.slice(bytes.find(10) + 1)
+	return BoundedText.text_of(bytes)
 
 
 func _older(age: int) -> String:

@@ -58,9 +58,8 @@ func _close_cut(cut: VisitRecord, last_seen: float) -> void:
 	if cut == null or cut.number <= _number_of(lines.get_last_line()):
 		return
 	_last = maxi(_last, cut.number)
-	var began := Time.get_unix_time_from_datetime_string(cut.start)
 	var bias: int = Time.get_time_zone_from_system()["bias"]
-	cut.duration = maxf(last_seen - (began - 60.0 * bias), 0.0)
+	cut.duration = maxf(last_seen - (cut.began() - 60.0 * bias), 0.0)
 	finish(cut)
 
 
@@ -71,7 +70,8 @@ func _number_of(line: String) -> int:
 func _read_state() -> Dictionary:
 	var parser := JSON.new()
 	var is_object := func(text: String) -> bool:
-		return parser.parse(text) == OK and parser.data is Dictionary
+		var read := parser.parse(text) == OK and parser.data is Dictionary
+		return read and not JsonKinds.is_deeper(parser.data, 4)
 	if AtomicFile.read(_state_path, is_object).is_empty():
 		return {}
 	var state: Dictionary = parser.data

@@ -7,6 +7,11 @@ const HEAD: String = (
 	"number,start,duration_s,language,mode,content,reached,stations,least_fps,late_frames,"
 	+ "resets,end"
 )
+## Local time as it is written: year, month, day, hour, minute, second.
+const START: String = (
+	"^[12][0-9]{3}-(0[1-9]|1[0-2])-(0[1-9]|[12][0-9]|3[01])T"
+	+ "([01][0-9]|2[0-3]):[0-5][0-9]:[0-5][0-9]$"
+)
 ## How a visit is logged that a crash or a power cut ended.
 const CUT: String = "cut"
 
@@ -49,6 +54,14 @@ func line() -> String:
 	return ",".join(cells)
 
 
+## When it began, seconds since 1970, as if local time were UTC.
+func began() -> float:
+	# From the first of the month, which every month has.
+	var day := start.substr(8, 2).to_int()
+	var first := start.left(8) + "01" + start.substr(10)
+	return Time.get_unix_time_from_datetime_string(first) + 86400.0 * (day - 1)
+
+
 func to_data() -> Dictionary:
 	return {"number": number, "start": start, "language": language, "mode": mode}
 
@@ -60,10 +73,13 @@ static func from_data(data: Variant) -> VisitRecord:
 	var kept: Dictionary = data
 	if not (kept.get("number") is float and kept.get("start") is String):
 		return null
+	var begin: String = kept["start"]
+	if RegEx.create_from_string(START).search(begin) == null:
+		return null
 	var record := VisitRecord.new()
 	var counted: float = kept["number"]
 	record.number = roundi(counted)
-	record.start = kept["start"]
+	record.start = begin
 	record.language = str(kept.get("language", ""))
 	record.mode = str(kept.get("mode", ""))
 	record.end = CUT

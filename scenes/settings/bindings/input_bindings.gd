@@ -29,7 +29,10 @@ static func from_json(data: Dictionary, faults: Array[String]) -> InputBindings:
 					words.append(str(entry))
 				else:
 					faults.append(
-						_translated("There is no key or button '%s' for '%s'.") % [entry, action]
+						(
+							_translated("There is no key or button '%s' for '%s'.")
+							% [JsonWords.names([entry]), action]
+						)
 					)
 			if words.size() == listed.size():
 				bindings._set_words(action, words)

@@ -44,7 +44,7 @@ static func parse(
 			faults.append(
 				(
 					_translated("%s: '%s' cannot be %s, but one of: %s. The default counts.")
-					% [_shown(path), name, JSON.stringify(found[name]), setting.rule()]
+					% [_shown(path), name, JsonWords.value(found[name]), setting.rule()]
 				)
 			)
 		elif setting.kind == Setting.Kind.BINDINGS:
@@ -61,7 +61,7 @@ static func parse(
 static func _set_aside_if_damaged(path: String, rescued: bool, faults: Array[String]) -> void:
 	if not FileAccess.file_exists(path):
 		return
-	if is_whole(AtomicFile.text_of(FileAccess.get_file_as_bytes(path))):
+	if is_whole(BoundedText.from_file(path, AtomicFile.MOST_BYTES).text):
 		return
 	var aside := path.get_basename() + DAMAGED
 	if DirAccess.rename_absolute(path, aside) != OK:
