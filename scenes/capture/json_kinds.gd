@@ -90,6 +90,25 @@ static func has_same(values: Array, value: Variant) -> bool:
 	return values.any(func(other: Variant) -> bool: return same(value, other))
 
 
+## Where a list has an item that it has before. Of thousands each is looked up, not compared with all.
+static func repeated(list: Array) -> PackedInt32Array:
+	var places := PackedInt32Array()
+	var plain: Dictionary = {}
+	var others: Array = []
+	for i in list.size():
+		var item: Variant = list[i]
+		if item is Array or item is Dictionary:
+			if has_same(others, item):
+				places.append(i)
+			others.append(item)
+		else:
+			var key: Variant = float(item) if is_number(item) else item
+			if plain.has(key):
+				places.append(i)
+			plain[key] = true
+	return places
+
+
 ## The types that a schema's own "type" names; all where it has none.
 static func types(schema: Dictionary) -> PackedStringArray:
 	if not schema.has("type"):

@@ -81,13 +81,13 @@ func open(path: String) -> Node:
 ## Adds a node to the edited scene, as the Scene dock does.
 func add_to_scene(node: Node) -> void:
 	var root := EditorInterface.get_edited_scene_root()
-	var undo := EditorInterface.get_editor_undo_redo()
-	undo.create_action("Create Node", UndoRedo.MERGE_DISABLE, root)
-	undo.add_do_method(root, &"add_child", node, true)
-	undo.add_do_method(node, &"set_owner", root)
-	undo.add_do_reference(node)
-	undo.add_undo_method(root, &"remove_child", node)
-	undo.commit_action()
+	var history := EditorInterface.get_editor_undo_redo()
+	history.create_action("Create Node", UndoRedo.MERGE_DISABLE, root)
+	history.add_do_method(root, &"add_child", node, true)
+	history.add_do_method(node, &"set_owner", root)
+	history.add_do_reference(node)
+	history.add_undo_method(root, &"remove_child", node)
+	history.commit_action()
 	await frames(3)
 
 

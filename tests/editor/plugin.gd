@@ -35,7 +35,8 @@ func _until_scanned() -> void:
 
 
 func _run_script(script: String) -> void:
-	var path := (get_script() as Script).resource_path.get_base_dir().path_join(script + ".gd")
+	var own: Script = get_script()
+	var path := own.resource_path.get_base_dir().path_join(script + ".gd")
 	var tests: GDScript = load(path)
 	var case: EditorCase = tests.new(get_tree())
 	for method in tests.get_script_method_list():

@@ -44,11 +44,11 @@ func after_all() -> void:
 func test_nothing_is_left() -> void:
 	var switches := SWITCHES if RendererScope.is_everything_wanted() else FEW
 	for warming_up in 2 * SCENES.size():
-		await _show(SCENES[warming_up % SCENES.size()])
+		await _open_and_leave(SCENES[warming_up % SCENES.size()])
 	var before := _counts()
 	var memory := Performance.get_monitor(Performance.MEMORY_STATIC)
 	for turn in switches:
-		await _show(SCENES[turn % SCENES.size()])
+		await _open_and_leave(SCENES[turn % SCENES.size()])
 	assert_eq(_counts(), before, "after %d switches" % switches)
 	var grown := Performance.get_monitor(Performance.MEMORY_STATIC) - memory
 	gut.p("%d switches, %d bytes more" % [switches, grown])
@@ -56,7 +56,7 @@ func test_nothing_is_left() -> void:
 
 
 ## Opens a scene, lets it draw and leaves it.
-func _show(scene: String) -> void:
+func _open_and_leave(scene: String) -> void:
 	var packed: PackedScene = ResourceLoader.load(
 		FOLDER + scene, "", ResourceLoader.CACHE_MODE_IGNORE
 	)

@@ -15,12 +15,12 @@ var _folder := ScratchFolder.new("hostile")
 func test_catalogues_of_four_gigabytes() -> void:
 	var stars := StarCatalogue.new()
 	for start: String in ["", "ra_deg,dec_deg,vmag\n"]:
-		for name: String in ["huge.stars", "huge.csv"]:
-			var path := _sparse(name, start.to_utf8_buffer(), FOUR_GIGABYTES)
+		for file: String in ["huge.stars", "huge.csv"]:
+			var path := _sparse(file, start.to_utf8_buffer(), FOUR_GIGABYTES)
 			_expect_cheap(func() -> String: return _refusal(stars, path), path)
 	# Within the limit, but nothing in it.
-	for name: String in ["void.stars", "void.csv"]:
-		var path := _sparse(name, [], 2000000000)
+	for file: String in ["void.stars", "void.csv"]:
+		var path := _sparse(file, [], 2000000000)
 		_expect_cheap(func() -> String: return _refusal(stars, path), path)
 	assert_eq(stars.get_star_count(), 0)
 
@@ -28,10 +28,10 @@ func test_catalogues_of_four_gigabytes() -> void:
 func test_a_catalogue_whose_header_lies() -> void:
 	var header := FileAccess.get_file_as_bytes("res://addons/blackhole_sky/data/hipparcos.stars")
 	header.resize(36)
-	for at in [12, 16, 20]:
+	for at: int in [12, 16, 20]:
 		header.encode_u32(at, 0xFFFFFFFF)
 	var stars := StarCatalogue.new()
-	for size in [36, 2000000000]:
+	for size: int in [36, 2000000000]:
 		var path := _sparse("lie.stars", header, size)
 		_expect_cheap(func() -> String: return _refusal(stars, path), path)
 
@@ -74,6 +74,17 @@ func test_text_files() -> void:
 func test_a_quote_without_end() -> void:
 	var path := _folder.write_text("open.csv", FIRST_LINE + '\n1,"' + "\n".repeat(100000))
 	_expect_cheap(func() -> String: return StarNames.load_file(path).error, path)
+	path = _folder.write_text("open.csv", FIRST_LINE + "\n" + '"'.repeat(100000))
+	_expect_cheap(func() -> String: return StarNames.load_file(path).error, path)
+
+
+func test_lists_of_thousands() -> void:
+	var items: Array = range(5000)
+	assert_eq(JsonKinds.repeated(items + [7.0, true, "7", null]), PackedInt32Array([5000]))
+	var lists: Array = [[1], {"a": 1}, [1.0], [2], {"a": 1.0}]
+	assert_eq(JsonKinds.repeated(lists), PackedInt32Array([2, 4]))
+	var path := _folder.write_text("kiosk.json", '{"start_by": %s}' % JSON.stringify(items))
+	_expect_cheap(func() -> String: return KioskConfig.from_file(path).complaints[0], path)
 
 
 func test_json_deep_in_itself() -> void:
@@ -101,8 +112,8 @@ func test_pictures_that_announce_what_they_have_not() -> void:
 		"named_wrongly.png": exr,
 		"empty.jpg": PackedByteArray(),
 	}
-	for name in files:
-		var path := _folder.write_bytes(name, files[name])
+	for file: String in files:
+		var path := _folder.write_bytes(file, files[file])
 		_expect_cheap(func() -> String: return BackgroundPicture.from_file(path).error, path)
 	var sparse := _sparse("sparse.png", png, FOUR_GIGABYTES)
 	_expect_cheap(func() -> String: return BackgroundPicture.from_file(sparse).error, sparse)
@@ -118,12 +129,12 @@ func test_pictures_as_they_should_be() -> void:
 		"d.webp": lossy,
 		"e.exr": image.save_exr_to_buffer(),
 	}
-	for name in files:
-		var path := _folder.write_bytes(name, files[name])
-		assert_eq(PictureSize.of_file(path), Vector2i(5, 3), name)
+	for file: String in files:
+		var path := _folder.write_bytes(file, files[file])
+		assert_eq(PictureSize.of_file(path), Vector2i(5, 3), file)
 		var picture := BackgroundPicture.from_file(path)
-		assert_eq(picture.error, "", name)
-		assert_eq(picture.image.get_size(), Vector2i(5, 3), name)
+		assert_eq(picture.error, "", file)
+		assert_eq(picture.image.get_size(), Vector2i(5, 3), file)
 	var radiance := _folder.write_text("f.hdr", "#?RADIANCE\nA=1\n\n-Y 3 +X 5\n")
 	assert_eq(PictureSize.of_file(radiance), Vector2i(5, 3))
 

@@ -81,7 +81,7 @@ def addon_alone(root: Path, files: Sequence[Path]) -> Iterator[str]:
         if not path.is_relative_to(addon):
             continue
         for reference in re.findall(r"res://[^\s\"'\)\],]*", text):
-            if reference != _ADDON and not reference.startswith(_ADDON + "/"):
+            if reference not in ("res://", _ADDON) and not reference.startswith(_ADDON + "/"):
                 yield f"{path.relative_to(root)}: refers to {reference}, which is outside the addon"
 
 

@@ -115,7 +115,10 @@ func _replacement(value: Variant, other: Variant) -> Variant:
 func _nested(value: Variant) -> Variant:
 	var is_list := _random.randf() < 0.5
 	for i in DEPTHS[_random.randi() % DEPTHS.size()]:
-		value = [value] if is_list else {"key": value}
+		if is_list:
+			value = [value]
+		else:
+			value = {"key": value}
 	return value
 
 
@@ -154,7 +157,9 @@ func _collect(data: Variant, holders: Array, depth: int) -> void:
 
 func _copy(value: Variant) -> Variant:
 	if value is Array:
-		return (value as Array).duplicate(not JsonKinds.is_deeper(value, 100))
+		var list: Array = value
+		return list.duplicate(not JsonKinds.is_deeper(value, 100))
 	if value is Dictionary:
-		return (value as Dictionary).duplicate(not JsonKinds.is_deeper(value, 100))
+		var object: Dictionary = value
+		return object.duplicate(not JsonKinds.is_deeper(value, 100))
 	return value

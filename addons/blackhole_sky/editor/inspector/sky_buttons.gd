@@ -7,7 +7,7 @@ extends VBoxContainer
 const DataReader := preload("data_reader.gd")
 const SkyDefaults := preload("../sky_defaults.gd")
 const TableBaker := preload("../table_baker.gd")
-const NEW_TABLE: String = "res://schwarzschild.lut"
+const NEW_TABLE: String = "schwarzschild.lut"
 
 var _edited: Object
 var _baker: TableBaker
@@ -94,7 +94,7 @@ func _ask_for_file() -> void:
 	var dialog := EditorFileDialog.new()
 	dialog.file_mode = FileDialog.FILE_MODE_SAVE_FILE
 	dialog.add_filter("*.lut", "Lensing table")
-	dialog.current_path = NEW_TABLE
+	dialog.current_path = "res://".path_join(NEW_TABLE)
 	dialog.file_selected.connect(func(path: String) -> void: _baker.bake(_client(), path))
 	dialog.visibility_changed.connect(
 		func() -> void:
