@@ -4,6 +4,9 @@ extends RefCounted
 ## Walks through data and a schema side by side and collects what does not fit. The schema must
 ## have been vetted by JsonSchema.
 
+## After so many faults of a list its other items are not looked at: nobody reads more.
+const MOST_OF_A_LIST: int = 50
+
 var _definitions: Dictionary
 var _title: String
 
@@ -81,10 +84,12 @@ func _list_faults(list: Array, schema: Dictionary, place: String) -> Array[JsonF
 	if list.size() < float(schema.get("minItems", 0)) or list.size() > most:
 		found.append(wrong_value(list, expected, place))
 	elif schema.get("uniqueItems", false):
-		for i in JsonKinds.repeated(list):
+		for i in JsonKinds.repeated(list).slice(0, MOST_OF_A_LIST):
 			found.append(_wrong_item(list[i], "%s[%d]" % [place, i], expected, place))
 	var first: Array = schema.get("prefixItems", [])
 	for i in list.size():
+		if found.size() > MOST_OF_A_LIST:
+			break
 		var item_place := "%s[%d]" % [place, i]
 		if i < first.size():
 			var own: Dictionary = first[i]

@@ -16,6 +16,12 @@ from pathlib import Path
 
 _ROOT = Path(__file__).resolve().parent.parent.parent
 _SETTINGS = _ROOT / "scenes" / "settings"
+# Scripts from elsewhere that they use.
+_BESIDES = [
+    _ROOT / "addons" / "blackhole_sky" / "overlays" / "bounded_text.gd",
+    _ROOT / "scenes" / "capture" / "json_words.gd",
+    _ROOT / "scenes" / "capture" / "json_kinds.gd",
+]
 _WRITER = _ROOT / "tests" / "power_cut" / "write_settings.gd"
 _KILLS = 200 if os.environ.get("BLACKHOLE_TEST_ALL") == "1" else 15
 _STREAMS = 2
@@ -36,6 +42,8 @@ class PowerCut(unittest.TestCase):
         """The scripts that write settings, and no more: it starts quickly."""
         self.project.mkdir()
         (self.project / "project.godot").write_text("config_version=5\n", encoding="utf-8")
+        for script in _BESIDES:
+            shutil.copy(script, self.project)
         for script in [*_SETTINGS.rglob("*.gd"), _WRITER]:
             text = script.read_text(encoding="utf-8")
             if script.parent.name in ("values", "settings", "power_cut") or "binding" in script.parent.name:
