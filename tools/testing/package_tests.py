@@ -7,6 +7,7 @@ import os
 import shutil
 import time
 from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 from functools import partial
 from pathlib import Path
 
@@ -30,17 +31,19 @@ def stage(context: Context) -> list[Case]:
     wanted = ["release", "debug", "windows"] if context.all_variants else ["release"]
     zip_file = command.make(_FOLDER, wanted)
     cases = _in_order("zip", [("a second one is the same", lambda: _second_zip(zip_file, wanted))])
-    cases += _in_order("presets", [("have the options that the editor knows", lambda: preset_keys.wrong(godot))])
-    for name in [_UNEASY, "plain"] if context.all_variants else [_UNEASY]:
-        project = FreshProject(godot, _FOLDER / name / "project", context.environment())
-        cases += _in_order(f"project in '{name}'", _steps(project, zip_file))
-    return cases + _exported(context)
+    names = [_UNEASY, "plain"] if context.all_variants else [_UNEASY]
+    with ThreadPoolExecutor(2) as pool:  # starting an editor takes one processor
+        exported = pool.submit(_exported, context)
+        cases += _in_order("presets", [("have the options that the editor knows", lambda: preset_keys.wrong(godot))])
+        for name in names:
+            project = FreshProject(godot, _FOLDER / name / "project", context.environment())
+            cases += _in_order(f"project in '{name}'", _steps(project, zip_file))
+        return cases + exported.result()
 
 
 def _steps(project: FreshProject, zip_file: Path) -> list[tuple[str, Callable[[], str]]]:
     """The way of a project with the addon and back."""
     return [
-        ("is imported empty", project.import_assets),
         ("takes the addon", lambda: _add(project, zip_file)),
         ("draws the sky", lambda: project.run(with_sky=True)),
         ("is imported without it", lambda: _remove(project)),
