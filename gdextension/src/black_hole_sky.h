@@ -183,7 +183,8 @@ private:
 	void exit_world();
 	void settings_changed();
 	void observer_changed();
-	template <typename Value> void set_quality(Value &kept, Value value);
+	template <typename Value>
+	void set_quality(Value &kept, Value value);
 	bool tell_of_horizon(const std::vector<WatchingEye> &eyes);
 	void apply_background();
 	void apply_settings();

@@ -8,7 +8,8 @@
 
 using namespace godot;
 
-template <typename Value> void BlackHoleSky::set_quality(Value &kept, Value value) {
+template <typename Value>
+void BlackHoleSky::set_quality(Value &kept, Value value) {
 	if (kept == value) {
 		return;
 	}

@@ -106,7 +106,8 @@ const std::vector<WatchingEye> &EyeTracker::eyes_in(const Ref<World3D> &world, u
 			continue;
 		}
 		const Camera3D *camera = viewport->get_camera_3d();
-		if (camera != nullptr && (camera->get_cull_mask() & layers) != 0 && viewport->find_world_3d() == world) {
+		if (camera != nullptr && (camera->get_cull_mask() & layers) != 0 &&
+				viewport->find_world_3d() == world) {
 			eyes.push_back(watching_eye(viewport, camera));
 		}
 	}

@@ -49,7 +49,8 @@ public:
 	void remove(godot::Node *node);
 	void clear() { viewports.clear(); }
 
-	/// The current cameras of `world` that see any of the render layers. The vector is reused: no allocation once it has its size.
+	/// The current cameras of `world` that see any of the render layers. The vector is reused: no allocation
+	/// once it has its size.
 	const std::vector<WatchingEye> &eyes_in(const godot::Ref<godot::World3D> &world, uint32_t layers);
 
 private:

@@ -8,8 +8,8 @@
 
 #include "src/eye_tracker.h"
 
-/// Notices when the camera of a viewport passes the horizon. One that trembles at it passes once: it has to come
-/// out of a thin shell about r = 1 on the other side.
+/// Notices when the camera of a viewport passes the horizon. One that trembles at it passes once: it has to
+/// come out of a thin shell about r = 1 on the other side.
 class HorizonWatch {
 public:
 	struct Crossing {
@@ -20,8 +20,8 @@ public:
 	/// Half the shell's thickness, r_s.
 	static constexpr double kHalfShell = 1e-3;
 
-	/// Compares with the last look; places in world units, `radius` is the horizon's. Returns whether a camera
-	/// has passed. A camera that is new in its viewport has not.
+	/// Compares with the last look; places in world units, `radius` is the horizon's. Returns whether a
+	/// camera has passed. A camera that is new in its viewport has not.
 	bool look(const std::vector<WatchingEye> &eyes, const glm::dvec3 &hole, double radius);
 	/// Those of the last look. Both vectors keep their memory: nothing is allocated from frame to frame.
 	const std::vector<Crossing> &crossings() const { return passed; }

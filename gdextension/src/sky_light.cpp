@@ -74,8 +74,8 @@ glm::dvec3 panorama_direction(int column, int row) {
 			-std::cos(declination) * std::sin(right_ascension)};
 }
 
-/// Which texel of a cube map lies in a direction: face, then row by row (Vulkan 1.3, "Cube Map Face Selection and
-/// Transformations").
+/// Which texel of a cube map lies in a direction: face, then row by row (Vulkan 1.3, "Cube Map Face Selection
+/// and Transformations").
 struct CubeTexel {
 	std::size_t face = 0;
 	std::size_t index = 0;
