@@ -6,6 +6,7 @@ extends Node3D
 const TURN: float = 0.8
 const DRIFT: float = 0.06
 const BOOKS_PER_SHELF: int = 52
+const HUES: PackedFloat32Array = [0.05, 0.09, 0.2, 0.5, 0.65]
 
 @onready var _arm: Node3D = $Arm
 @onready var _camera: Camera3D = $Arm/Camera
@@ -50,5 +51,6 @@ func _books() -> MultiMesh:
 		var at := Vector3(x, 0.08 + 0.428 * shelf + 0.5 * size.y, 0.0)
 		books.set_instance_transform(i, Transform3D(lean.scaled_local(size), at))
 		var shade := random.randf_range(0.3, 0.75)
-		books.set_instance_color(i, Color.from_ok_hsl(random.randf(), 0.4, shade))
+		var hue := HUES[random.randi() % HUES.size()]
+		books.set_instance_color(i, Color.from_ok_hsl(hue, 0.5, shade))
 	return books
