@@ -90,6 +90,26 @@ static func has_same(values: Array, value: Variant) -> bool:
 	return values.any(func(other: Variant) -> bool: return same(value, other))
 
 
+## Where a list has an item that it has before. Each is looked up: to compare each with all others
+## would take time as the square of thousands.
+static func repeated(list: Array) -> PackedInt32Array:
+	var places := PackedInt32Array()
+	var plain: Dictionary = {}
+	var texts: Dictionary = {}
+	for i in list.size():
+		var item: Variant = list[i]
+		var known := plain
+		var key: Variant = float(item) if is_number(item) else item
+		if item is Array or item is Dictionary:
+			known = texts
+			# Twice, so that all numbers are of one type.
+			key = JSON.stringify(JSON.parse_string(JSON.stringify(item)), "", true)
+		if known.has(key):
+			places.append(i)
+		known[key] = true
+	return places
+
+
 ## The types that a schema's own "type" names; all where it has none.
 static func types(schema: Dictionary) -> PackedStringArray:
 	if not schema.has("type"):

@@ -81,9 +81,8 @@ func _list_faults(list: Array, schema: Dictionary, place: String) -> Array[JsonF
 	if list.size() < float(schema.get("minItems", 0)) or list.size() > most:
 		found.append(wrong_value(list, expected, place))
 	elif schema.get("uniqueItems", false):
-		for i in list.size():
-			if JsonKinds.has_same(list.slice(0, i), list[i]):
-				found.append(_wrong_item(list[i], "%s[%d]" % [place, i], expected, place))
+		for i in JsonKinds.repeated(list):
+			found.append(_wrong_item(list[i], "%s[%d]" % [place, i], expected, place))
 	var first: Array = schema.get("prefixItems", [])
 	for i in list.size():
 		var item_place := "%s[%d]" % [place, i]

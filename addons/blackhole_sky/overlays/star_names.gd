@@ -11,6 +11,7 @@ extends RefCounted
 const FILE: String = "res://addons/blackhole_sky/data/star_names.csv"
 ## Larger files are refused.
 const MOST_BYTES: int = 4 << 20
+const LONGEST_LINE: int = 1000
 const _HEADER: PackedStringArray = ["hip", "name", "ra_deg", "dec_deg", "vmag"]
 const _REMEDY: String = "Copy the file from the addon again; the class reference tells the format."
 
@@ -34,7 +35,7 @@ static func load_file(path: String = FILE) -> StarNames:
 	loaded._path = path
 	var text := BoundedText.from_file(path, MOST_BYTES)
 	if text.error.is_empty():
-		loaded._check_quotes(text.text)
+		loaded._check_lines(text.text)
 		if loaded.error.is_empty():
 			loaded._read(FileAccess.open(path, FileAccess.READ))
 	else:
@@ -50,14 +51,17 @@ func count_to(magnitude: float) -> int:
 	return magnitudes.bsearch(magnitude, false)
 
 
-## Each star has a line of its own. The engine would look for the end of a quote in all lines that
-## follow, which takes time as their square.
-func _check_quotes(text: String) -> void:
+## Each star has a line of its own, and no long one. The engine would look for the end of a quote in
+## all lines that follow, and takes time as the square of what it reads.
+func _check_lines(text: String) -> void:
 	var line := 0
 	for written in text.split("\n"):
 		line += 1
-		if written.count('"') % 2 == 1:
+		if written.length() > LONGEST_LINE:
+			_refuse("line %d is longer than %d characters" % [line, LONGEST_LINE])
+		elif written.count('"') % 2 == 1:
 			_refuse("line %d has a quote that is not closed" % line)
+		if not error.is_empty():
 			return
 
 
