@@ -90,22 +90,23 @@ static func has_same(values: Array, value: Variant) -> bool:
 	return values.any(func(other: Variant) -> bool: return same(value, other))
 
 
-## Where a list has an item that it has before. Of thousands each is looked up, not compared with all.
+## Where a list has an item that it has before. Each is looked up: to compare each with all others
+## would take time as the square of thousands.
 static func repeated(list: Array) -> PackedInt32Array:
 	var places := PackedInt32Array()
 	var plain: Dictionary = {}
-	var others: Array = []
+	var texts: Dictionary = {}
 	for i in list.size():
 		var item: Variant = list[i]
+		var known := plain
+		var key: Variant = float(item) if is_number(item) else item
 		if item is Array or item is Dictionary:
-			if has_same(others, item):
-				places.append(i)
-			others.append(item)
-		else:
-			var key: Variant = float(item) if is_number(item) else item
-			if plain.has(key):
-				places.append(i)
-			plain[key] = true
+			known = texts
+			# Twice, so that all numbers are of one type.
+			key = JSON.stringify(JSON.parse_string(JSON.stringify(item)), "", true)
+		if known.has(key):
+			places.append(i)
+		known[key] = true
 	return places
 
 
