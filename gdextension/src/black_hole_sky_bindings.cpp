@@ -15,9 +15,10 @@ using namespace godot;
 namespace {
 
 /// A scene that is edited lies in a viewport of the editor's that nobody looks at; those that show it follow
-/// the project's setting.
+/// the project's setting. Compatibility adds up display values whatever the buffer.
 bool has_hdr(const Viewport *viewport) {
-	if (viewport->is_using_hdr_2d()) {
+	if (viewport->is_using_hdr_2d() ||
+			RenderingServer::get_singleton()->get_current_rendering_method() == "gl_compatibility") {
 		return true;
 	}
 	return Engine::get_singleton()->is_editor_hint() &&
