@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 class_name TestRoom
 extends RefCounted
-## A room to be captured: a sphere round the hole whose inside shines as a shader says, on the second
-## render layer.
+## A room to be captured: a sphere round the hole whose inside shines as a shader says, on the
+## second render layer.
 
 const LAYER: int = 2
 const RADIUS: float = 40.0
