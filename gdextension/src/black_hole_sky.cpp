@@ -74,6 +74,8 @@ void BlackHoleSky::enter_world() {
 	// The last moment before drawing: cameras have moved by then, so nothing lags a frame behind.
 	RenderingServer::get_singleton()->connect(
 			"frame_pre_draw", callable_mp(this, &BlackHoleSky::before_draw));
+	// The Compatibility renderer does not.
+	reads_cubemaps = RenderingServer::get_singleton()->get_current_rendering_method() != "gl_compatibility";
 	exposure_meter.begin();
 	apply_settings();
 }

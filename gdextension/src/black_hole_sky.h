@@ -193,8 +193,7 @@ private:
 	void catalogue_changed();
 	void table_changed();
 	void before_draw();
-	/// The surroundings are as bright as the scene that they are of.
-	bool is_metering() const { return auto_exposure && background != BACKGROUND_SURROUNDINGS; }
+	bool is_metering() const;
 	void meter(const WatchingEye &eye, double seconds, bool all);
 	void meter_now(double seconds);
 	void node_added(godot::Node *node);
@@ -253,6 +252,7 @@ private:
 
 	double update_time_ms = 0.0;
 	bool settings_dirty = false;
+	bool reads_cubemaps = true; ///< back from the graphics card
 };
 
 VARIANT_ENUM_CAST(BlackHoleSky::Background);

@@ -20,6 +20,12 @@ constexpr double kStep = 0.01;
 
 } // namespace
 
+/// The surroundings are as bright as the scene that they are of.
+bool BlackHoleSky::is_metering() const {
+	const bool readable = background != BACKGROUND_CUBEMAP || reads_cubemaps;
+	return auto_exposure && readable && background != BACKGROUND_SURROUNDINGS;
+}
+
 void BlackHoleSky::set_auto_exposure(bool on) {
 	if (on == auto_exposure) {
 		return;

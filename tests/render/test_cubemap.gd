@@ -56,7 +56,9 @@ func test_its_light_is_metered() -> void:
 	sky.panorama_luminance = 0.25
 	sky.adapt_at_once()
 	gut.p("%.2f and %.2f EV" % [as_it_is, sky.get_effective_exposure()])
-	assert_almost_eq(sky.get_effective_exposure() - as_it_is, 2.0, 0.05)
+	# Compatibility cannot read it back, and leaves the exposure to the manual one.
+	var more := 2.0 if SkyBooth.is_linear() else 0.0
+	assert_almost_eq(sky.get_effective_exposure() - as_it_is, more, 0.05)
 	sky.panorama_luminance = 1.0
 	sky.auto_exposure = false
 

@@ -21,6 +21,10 @@ const SHARE: float = 0.999
 const MOST_LIGHT: float = 0.005
 ## Numbers of 32 bits that hold the grey texels of 2048 x 1024.
 const NOISE_WORDS: int = 524288
+const ROOM_OF_NOISE: String = """
+	vec3 cell = floor(direction * 330.0);
+	return vec3(fract(sin(dot(cell, vec3(12.9898, 78.233, 37.719))) * 43758.5453));
+"""
 const PLACE := Vector3(0.55, 4.83, -8.74)
 
 var _booth: SkyBooth
@@ -61,6 +65,23 @@ func test_noise_is_steady() -> void:
 	_booth.sky.panorama = _noise(true)
 	# Measured: 17.1 % and 4.7 %.
 	await _judge("noise", 0.2, 0.07)
+
+
+## The same in a cube map and in captured surroundings, where the filter is our own.
+func test_noise_is_steady_in_cube_maps_and_surroundings() -> void:
+	if not RendererScope.is_everything_wanted():
+		pending("a long test, for ./test --all")
+		return
+	_booth.sky.cubemap = _noise_cube()
+	_booth.sky.background = BlackHoleSky.BACKGROUND_CUBEMAP
+	await _judge("noise in a cube map", 0.2, 0.07)
+	var capture := SurroundingsCapture.new()
+	_booth.camera.cull_mask = 1
+	_booth.sky.add_child(capture)
+	_booth.viewport.add_child(TestRoom.make(ROOM_OF_NOISE))
+	_booth.sky.background = BlackHoleSky.BACKGROUND_SURROUNDINGS
+	await _judge("noise in the surroundings", 0.2, 0.07)
+	_booth.sky.background = BlackHoleSky.BACKGROUND_PANORAMA
 
 
 ## Without smaller copies of the panorama for its filter, the noise shimmers. Measured: 21 % and 5 %
@@ -144,3 +165,22 @@ static func _noise(with_mipmaps: bool) -> ImageTexture:
 	if with_mipmaps:
 		image.generate_mipmaps()
 	return ImageTexture.create_from_image(image)
+
+
+## The same on the faces of a cube, of which each texel is as large.
+static func _noise_cube() -> Cubemap:
+	var rng := RandomNumberGenerator.new()
+	rng.seed = 6
+	var faces: Array[Image] = []
+	for face in 6:
+		var numbers: PackedInt32Array = []
+		for i in 65536:
+			numbers.append(rng.randi())
+		var bytes := numbers.to_byte_array()
+		var image := Image.create_from_data(512, 512, false, Image.FORMAT_L8, bytes)
+		image.convert(Image.FORMAT_RGBF)
+		image.generate_mipmaps()
+		faces.append(image)
+	var cubemap := Cubemap.new()
+	cubemap.create_from_images(faces)
+	return cubemap

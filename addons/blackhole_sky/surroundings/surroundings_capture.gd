@@ -75,6 +75,7 @@ enum UpdateMode {
 	set(value):
 		_take_back()
 		sky = value
+		_hand_over()
 		update_configuration_warnings()
 		_restart()
 @export_tool_button("Capture", "Camera3D") var _capture_button: Callable = capture
@@ -93,6 +94,7 @@ func _init() -> void:
 func _enter_tree() -> void:
 	if sky == null:
 		sky = get_parent() as BlackHoleSky
+	_hand_over()
 	RenderingServer.frame_pre_draw.connect(_before_draw)
 	RenderingServer.frame_post_draw.connect(_after_draw)
 	_restart()
@@ -153,7 +155,11 @@ func _set_up() -> void:
 	_views.set_look(cull_mask, _plain_environment(), msaa_3d)
 	_views.rest()
 	_views.draw(update_mode == UpdateMode.ALWAYS)
-	sky.surroundings = _views.get_texture()
+
+
+func _hand_over() -> void:
+	if sky != null and is_inside_tree():
+		sky.surroundings = _views.get_texture()
 
 
 func _take_back() -> void:
