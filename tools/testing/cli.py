@@ -49,6 +49,8 @@ STAGES = [
     Stage("format", "clang-format and gdformat", style.format_stage),
     Stage("lint", "clang-tidy, gdlint, shellcheck", style.lint_stage),
     Stage("cpp", "GoogleTest on the physics", programs.cpp_stage),
+    # Not beside others: its build takes all processors, and the headset keeps time.
+    Stage("fuzz", "a moment of each fuzzer", fuzz_tests.stage),
     Stage("scripts", "scripts, scenes and shaders load without a warning", scripts.scripts_stage),
     # First of those beside each other: it takes long and leaves the processors idle between its pictures.
     Stage("xr", "the headset scene on a simulated headset", xr_tests.stage, beside=True),
@@ -56,7 +58,6 @@ STAGES = [
     Stage("editor", "the addon in the editor itself, and the class reference", editor_tests.stage, beside=True),
     Stage("provider", "the binding provider under the address sanitizer", programs.provider_stage, beside=True),
     Stage("python", "unit tests of the tools", programs.python_stage, beside=True),
-    Stage("fuzz", "a moment of each fuzzer", fuzz_tests.stage, beside=True),
     Stage("gut", "GUT tests of the Godot classes", programs.gut_stage, beside=True),
     *(
         Stage(
