@@ -4,8 +4,8 @@ extends RefCounted
 ## How large a picture is, told by the first bytes of its file: before the engine asks for memory
 ## to unpack it.
 
-## In an EXR or Radiance header there may be so many bytes, and before the size of a JPEG or Radiance
-## picture so many parts or lines.
+## In an EXR or Radiance header there may be so many bytes, and before the size of a JPEG or
+## Radiance picture so many parts or lines.
 const LONGEST_HEADER: int = 65536
 const MOST_SEGMENTS: int = 1024
 
