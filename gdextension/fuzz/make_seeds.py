@@ -21,7 +21,7 @@ STARS = [
     star_file.Star(4294967295, 6.2831853, -math.pi / 2, 13.5, None, 5772.0, -3.0),
 ]
 COMMITTED = HERE.parent.parent / "lut" / "schwarzschild.lut"
-WHOLE_FILE, HEADER, PATCHES, LOOKED_UP = b"\0", b"\1", b"\2", b"\x82"
+WHOLE_FILE, HEADER, PATCHES, LOOKED_UP = b"\0", b"\1", b"\2", b"\x80"
 
 
 def star_files() -> dict[str, bytes]:

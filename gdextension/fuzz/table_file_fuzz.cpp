@@ -23,8 +23,9 @@ using namespace blackhole;
 using Bytes = std::vector<std::uint8_t>;
 
 enum Input : std::uint8_t { kWholeFile, kHeader, kPatches, kInputs };
-/// With this bit in the first byte what is accepted is looked up too, which takes long.
-constexpr std::uint8_t kLookUp = 0x80;
+/// With this first byte, which means patches, what is accepted is looked up too. That takes long.
+constexpr std::uint8_t kLookUp = 128;
+static_assert(kLookUp % kInputs == kPatches);
 
 constexpr std::size_t kDataChecksumAt = 64;
 constexpr std::size_t kHeaderChecksumAt = 68;
@@ -59,7 +60,7 @@ std::uint32_t number_at(std::span<const std::uint8_t> p_input, std::size_t p_at)
 
 /// The file that an input stands for.
 Bytes file_of(std::span<const std::uint8_t> p_input) {
-	const auto kind = static_cast<Input>((p_input[0] & ~kLookUp) % kInputs);
+	const auto kind = static_cast<Input>(p_input[0] % kInputs);
 	const auto rest = p_input.subspan(1);
 	if (kind == kWholeFile) {
 		return {rest.begin(), rest.end()};
@@ -103,7 +104,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *p_data, std::size_t p_
 	}
 	fuzz::demand(fault.empty(), "the start of a good file is good");
 	fuzz::demand(write_lensing_tables(*tables.value) == bytes, "what was read is written the same");
-	if ((p_data[0] & kLookUp) != 0) {
+	if (p_data[0] == kLookUp) {
 		tables.value->ray_texels = sample_ray_tables(tables.value->rays);
 		look_up(*tables.value);
 	}

@@ -4,7 +4,8 @@ extends RefCounted
 ## How large a picture is, told by the first bytes of its file: before the engine asks for memory
 ## to unpack it.
 
-## In an EXR or Radiance header or before a JPEG's size there may be so many bytes or parts at most.
+## In an EXR or Radiance header there may be so many bytes, and before the size of a JPEG or
+## Radiance picture so many parts or lines.
 const LONGEST_HEADER: int = 65536
 const MOST_SEGMENTS: int = 1024
 
@@ -97,14 +98,20 @@ static func _radiance(file: FileAccess) -> Vector2i:
 	if _word(head, 0, 2) != "#?":
 		return Vector2i.ZERO
 	var at := 0
-	while at < head.size():
+	for i in MOST_SEGMENTS:
 		var end := head.find(10, at)
 		if end < 0:
 			break
-		var words := _word(head, at, end - at).split(" ", false)
-		if words.size() == 4 and words[0] in ["-Y", "+Y"] and words[2] in ["-X", "+X"]:
-			return _checked(_count(words[3]), _count(words[1]))
+		var is_size := at > 1 and head[at - 1] == 10 and head[at - 2] == 10
+		if is_size:
+			return _radiance_size(_word(head, at, end - at).split(" ", false))
 		at = end + 1
+	return Vector2i.ZERO
+
+
+static func _radiance_size(words: PackedStringArray) -> Vector2i:
+	if words.size() == 4 and words[0] in ["-Y", "+Y"] and words[2] in ["-X", "+X"]:
+		return _checked(_count(words[3]), _count(words[1]))
 	return Vector2i.ZERO
 
 

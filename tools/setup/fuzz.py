@@ -85,7 +85,7 @@ def compiled() -> Path:
     version = process.capture(["clang++", "-dumpversion"])
     if version is not None:
         packages.ensure([f"libclang-rt-{version.split('.')[0]}-dev"])
-    return build.build("fuzz", None)
+    return build.build("fuzz", None, "blackhole_fuzzers")
 
 
 def tell(
