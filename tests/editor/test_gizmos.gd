@@ -10,13 +10,13 @@ func test_hole_and_disk_have_their_lines() -> void:
 	await switch_plugin(true)
 	var root := await open("res://scenes/full.tscn")
 	var sky: BlackHoleSky = root.get_node("Sky")
-	_expect_radii(sky, {&"horizon": 0.25, &"photon_sphere": 0.375, &"shadow": 0.375 * sqrt(3.0)})
+	_expect_radii(sky, {&"horizon": 0.3, &"photon_sphere": 0.45, &"shadow": 0.45 * sqrt(3.0)})
 	var disk: AccretionDisk = sky.get_node("Disk")
-	_expect_radii(disk, {&"innermost_stable": 0.75, &"outer_edge": 2.25})
+	_expect_radii(disk, {&"innermost_stable": 0.9, &"outer_edge": 2.7})
 	disk.plunging_gas = true
 	disk.outer_radius = 20.0
 	await frames(3)
-	_expect_radii(disk, {&"innermost_stable": 0.75, &"outer_edge": 5.0, &"inner_edge": 0.25})
+	_expect_radii(disk, {&"innermost_stable": 0.9, &"outer_edge": 6.0, &"inner_edge": 0.3})
 
 
 func test_lines_follow_properties_but_not_the_scale() -> void:
@@ -50,7 +50,7 @@ func test_orbits() -> void:
 	var shares := {"innermost": 0, "camera": 0}
 	var camera: Camera3D = root.get_node("Camera")
 	for point in lines:
-		shares["innermost"] += 1 if absf(point.length() - 0.75) < BELOW else 0
+		shares["innermost"] += 1 if absf(point.length() - 0.9) < BELOW else 0
 		shares["camera"] += 1 if absf(point.length() - camera.position.length()) < 1e-3 else 0
 	expect(shares["innermost"] > 100, "the innermost stable orbit: %s" % shares)
 	expect(shares["camera"] > 100, "the camera's orbit: %s" % shares)

@@ -6,7 +6,7 @@ extends "editor_case.gd"
 ## Of the sky and of the disk: property and another value. All properties are looked at by
 ## tests/render/test_next_frame.gd; these go other ways to the graphics card.
 const SKY: Dictionary[StringName, Variant] = {
-	&"schwarzschild_radius": 0.3,
+	&"schwarzschild_radius": 0.2,
 	&"exposure": 0.0,
 	&"background": BlackHoleSky.BACKGROUND_GRID,
 }
@@ -27,10 +27,11 @@ func test_changes_show_in_the_next_frame() -> void:
 
 func test_lines_are_drawn_over_the_sky() -> void:
 	await switch_plugin(true)
-	var root := await _show("res://scenes/full.tscn")
+	var root := EditorInterface.get_edited_scene_root()  # as the test before has left it
 	EditorInterface.get_selection().clear()
-	EditorInterface.get_selection().add_node(root.get_node("Sky"))
-	EditorInterface.edit_node(root.get_node("Sky"))
+	EditorInterface.inspect_object(root.get_node("Sky"))
+	_press_in_menu("View Grid")
+	_press_in_menu("View Origin")
 	await frames(SETTLE)
 	var window := tree.root.get_texture().get_image()
 	window.save_png(OS.get_environment("BLACKHOLE_EDITOR_PICTURES").path_join("editor.png"))
@@ -67,6 +68,17 @@ func _expect_changes(node: Node3D, changes: Dictionary[StringName, Variant]) -> 
 func _next_picture() -> Image:
 	await tree.process_frame
 	return EditorInterface.get_editor_viewport_3d().get_texture().get_image()
+
+
+func _press_in_menu(text: String) -> void:
+	var window := EditorInterface.get_base_control()
+	for node: Node in window.find_children("*", "PopupMenu", true, false):
+		var menu: PopupMenu = node
+		for item in menu.item_count:
+			if menu.get_item_text(item) == text:
+				menu.id_pressed.emit(menu.get_item_id(item))
+				return
+	expect(false, "there is no menu item " + text)
 
 
 func _changed_pixels(one: Image, other: Image) -> int:
