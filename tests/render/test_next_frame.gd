@@ -44,6 +44,7 @@ const SKY: Dictionary[String, Array] = {
 	"redshift_map": [true],
 	"background": [BlackHoleSky.BACKGROUND_GRID],
 	"panorama": [null],
+	"cubemap": [null, {"background": BlackHoleSky.BACKGROUND_CUBEMAP}],
 	"panorama_luminance": [1.0],
 	"panorama_is_light": [false],
 	"render_layers": [2],
@@ -102,6 +103,7 @@ func before_all() -> void:
 	sky.panorama = load(MilkyWay.FILE)
 	sky.panorama_luminance = MilkyWay.LUMINANCE
 	sky.background = BlackHoleSky.BACKGROUND_PANORAMA
+	sky.cubemap = _grey_cube()
 	sky.figure_field = ConstellationOverlay.bake(ConstellationFigures.load_file())
 	_disk.brightness_ev = -36.0
 
@@ -156,6 +158,14 @@ func _change(node: Node, property: String, value: Variant, undo: Array[Callable]
 
 func _needs(table: Dictionary[String, Array], property: String) -> Dictionary:
 	return table[property][1] if table[property].size() > 1 else {}
+
+
+func _grey_cube() -> Cubemap:
+	var side := Image.create(4, 4, false, Image.FORMAT_RGBH)
+	side.fill(Color(0.5, 0.5, 0.5))
+	var cube := Cubemap.new()
+	cube.create_from_images([side, side, side, side, side, side])
+	return cube
 
 
 func _star_directions() -> PackedVector3Array:
