@@ -14,6 +14,7 @@ from __future__ import annotations
 import argparse
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -259,8 +260,10 @@ def write_junit(path: Path, name: str, results: list[Result]) -> None:
             time=f"{result.seconds:.4f}",
         )
         if result.failures:
-            failure = ElementTree.SubElement(case, "failure", message=result.failures[0].splitlines()[0])
-            failure.text = "\n".join(result.failures)
+            # XML has no place for the escape sequences that colour a terminal.
+            told = [re.sub(r"\x1b\[[0-9;]*m|[^\t\n\x20-\uFFFD]", "", failure) for failure in result.failures]
+            failure = ElementTree.SubElement(case, "failure", message=told[0].splitlines()[0])
+            failure.text = "\n".join(told)
     path.parent.mkdir(parents=True, exist_ok=True)
     ElementTree.ElementTree(suite).write(path, encoding="utf-8", xml_declaration=True)
 

@@ -5,7 +5,7 @@
 extends EditorPlugin
 
 const SCENE := "res://addons/editor_checks/probe_scene.tscn"
-const FRAMES := 600
+const PATIENCE_MSEC := 20000
 
 var _failures: PackedStringArray = []
 
@@ -89,9 +89,8 @@ func _dock_shows(text: String) -> bool:
 
 
 func _wait_for(condition: Callable) -> void:
-	for frame: int in FRAMES:
-		if condition.call():
-			return
+	var begun := Time.get_ticks_msec()
+	while not condition.call() and Time.get_ticks_msec() - begun < PATIENCE_MSEC:
 		await get_tree().process_frame
 
 
