@@ -110,7 +110,8 @@ func _try(bytes: PackedByteArray) -> void:
 	file.close()
 	var begun := Time.get_ticks_msec()
 	var answer := _target.read(path)
-	answer.demand(Time.get_ticks_msec() - begun < SLOW_MSEC, "an answer within seconds")
+	if Time.get_ticks_msec() - begun > SLOW_MSEC and _is_slow_again(path):
+		answer.demand(false, "an answer within seconds")
 	var said := _errors.take()
 	answer.demand(said.is_empty(), "no error: " + " | ".join(said))
 	if not answer.broken.is_empty():
@@ -119,6 +120,16 @@ func _try(bytes: PackedByteArray) -> void:
 	_kinds[kind] = _kinds.get(kind, 0) + 1
 	if _kinds[kind] == 1 and bytes.size() < 20000:
 		_corpus.append(bytes)
+
+
+## On a busy machine anything may take seconds once.
+func _is_slow_again(path: String) -> bool:
+	for i in 2:
+		var begun := Time.get_ticks_msec()
+		_target.read(path)
+		if Time.get_ticks_msec() - begun < SLOW_MSEC:
+			return false
+	return true
 
 
 func _keep(bytes: PackedByteArray, why: String) -> void:

@@ -116,10 +116,10 @@ class Run:
         self.tries += 1
         path = self.folder / "list.json"
         path.write_bytes(given)
-        begun = time.monotonic()
+        begun = time.process_time()  # a busy machine is nobody's fault
         try:
             kind = attempt(path)
-            assert time.monotonic() - begun < _SLOW_S, "an answer within seconds"
+            assert time.process_time() - begun < _SLOW_S, "an answer within seconds"
         except Exception as error:  # whatever it is: it is the finding
             self.findings += 1
             kept = self.folder / f"finding_{self.seed}_{self.findings}"
