@@ -5,6 +5,7 @@ extends GutTest
 const STATIC := LensingTable.MOTION_STATIC
 const HOLE := Vector3(3.0, -1.0, 2.0)
 const RADIUS: float = 0.5
+const SIZE := Vector2i(640, 360)
 ## One step of an 8-bit picture.
 const STEP: float = 1.0 / 255.0
 
@@ -27,6 +28,8 @@ func before_each() -> void:
 	_booth.sky.position = HOLE
 	_booth.camera.cull_mask = 1
 	_capture = SurroundingsCapture.new()
+	_capture.resolution = 256
+	_capture.msaa_3d = Viewport.MSAA_DISABLED
 	_booth.sky.add_child(_capture)
 	add_child(_booth)
 
@@ -42,8 +45,8 @@ func test_an_even_room_gives_an_even_picture() -> void:
 	var shadow := view.shadow_half_angle()
 	var hole := Vec3D.to_vector3(Vec3D.scaled(view.outward(), -1.0))
 	var worst := 0.0
-	for i in 4000:
-		var pixel := Vector2i(_rng.randi_range(0, 1279), _rng.randi_range(0, 719))
+	for i in 2000:
+		var pixel := Vector2i(_rng.randi_range(0, 639), _rng.randi_range(0, 359))
 		if _direction_at(view, pixel).angle_to(hole) > shadow + 0.01:
 			var seen := PicturePatch.colour(picture, pixel)
 			worst = maxf(worst, _largest(seen - Vector3(0.5, 0.3, 0.1)))
@@ -80,12 +83,13 @@ func test_there_are_no_seams() -> void:
 	# Along an edge, and where three views meet.
 	for towards: Vector3 in [Vector3(1, 0, 1), Vector3(0, 1, -1), Vector3.ONE, -Vector3.ONE]:
 		var view := ExactView.new(Vector3(0, 0, 9), STATIC)
+		view.size = SIZE
 		view.look_along(ExactView.doubled(towards), Vector3(0.3, 0.1, 1))
 		_booth.aim(view, RADIUS)
 		var picture := await _booth.take()
 		var worst := 0.0
-		for y in range(60, 660, 5):
-			for x in range(560, 720):
+		for y in range(30, 330, 10):
+			for x in range(280, 360):
 				var pixel := Vector2i(x, y)
 				var exact := 0.5 * _direction_at(view, pixel) + 0.5 * Vector3.ONE
 				worst = maxf(worst, _largest(PicturePatch.colour(picture, pixel) - exact))
@@ -102,7 +106,7 @@ func test_rays_end_where_the_exact_solution_says() -> void:
 	var worst := 0.0
 	var measured := 0
 	while measured < 200:
-		var pixel := Vector2i(_rng.randi_range(1, 1278), _rng.randi_range(1, 718))
+		var pixel := Vector2i(_rng.randi_range(1, 638), _rng.randi_range(1, 358))
 		var exact := _ends(view, pixel)
 		if exact == Vector3.ZERO:
 			continue
@@ -171,6 +175,7 @@ func _relight(light: String) -> void:
 ## A view of the hole, or of where a light arrives from a direction.
 func _view(place: Vector3, beside: float, lamp := Vector3.ZERO) -> ExactView:
 	var view := ExactView.new(place, STATIC)
+	view.size = SIZE
 	if lamp == Vector3.ZERO:
 		view.look_beside(beside, Vector3(0.2, 1, 0))
 	else:
@@ -192,7 +197,7 @@ func _ends(view: ExactView, pixel: Vector2i) -> Vector3:
 		if ray["captured"]:
 			return Vector3.ZERO
 		ends.append(ray["sky_direction"])
-	if maxf(ends[0].angle_to(ends[1]), ends[0].angle_to(ends[2])) > 0.01:
+	if maxf(ends[0].angle_to(ends[1]), ends[0].angle_to(ends[2])) > 0.02:
 		return Vector3.ZERO
 	return ends[0]
 
