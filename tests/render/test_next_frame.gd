@@ -46,6 +46,7 @@ const SKY: Dictionary[String, Array] = {
 	"panorama": [null],
 	"panorama_luminance": [1.0],
 	"panorama_is_light": [false],
+	"cubemap": [null, {"background": BlackHoleSky.BACKGROUND_CUBEMAP}],
 	"render_layers": [2],
 }
 const DISK: Dictionary[String, Array] = {
@@ -103,6 +104,7 @@ func before_all() -> void:
 	sky.panorama_luminance = MilkyWay.LUMINANCE
 	sky.background = BlackHoleSky.BACKGROUND_PANORAMA
 	sky.figure_field = ConstellationOverlay.bake(ConstellationFigures.load_file())
+	sky.cubemap = sky.figure_field
 	_disk.brightness_ev = -36.0
 
 
