@@ -47,6 +47,7 @@ const SKY: Dictionary[String, Array] = {
 	"cubemap": [null, {"background": BlackHoleSky.BACKGROUND_CUBEMAP}],
 	"panorama_luminance": [1.0],
 	"panorama_is_light": [false],
+	"cubemap": [null, {"background": BlackHoleSky.BACKGROUND_CUBEMAP}],
 	"render_layers": [2],
 }
 const DISK: Dictionary[String, Array] = {
@@ -105,6 +106,7 @@ func before_all() -> void:
 	sky.background = BlackHoleSky.BACKGROUND_PANORAMA
 	sky.cubemap = _grey_cube()
 	sky.figure_field = ConstellationOverlay.bake(ConstellationFigures.load_file())
+	sky.cubemap = sky.figure_field
 	_disk.brightness_ev = -36.0
 
 
