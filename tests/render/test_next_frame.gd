@@ -44,7 +44,6 @@ const SKY: Dictionary[String, Array] = {
 	"redshift_map": [true],
 	"background": [BlackHoleSky.BACKGROUND_GRID],
 	"panorama": [null],
-	"cubemap": [null, {"background": BlackHoleSky.BACKGROUND_CUBEMAP}],
 	"panorama_luminance": [1.0],
 	"panorama_is_light": [false],
 	"cubemap": [null, {"background": BlackHoleSky.BACKGROUND_CUBEMAP}],
@@ -104,7 +103,6 @@ func before_all() -> void:
 	sky.panorama = load(MilkyWay.FILE)
 	sky.panorama_luminance = MilkyWay.LUMINANCE
 	sky.background = BlackHoleSky.BACKGROUND_PANORAMA
-	sky.cubemap = _grey_cube()
 	sky.figure_field = ConstellationOverlay.bake(ConstellationFigures.load_file())
 	sky.cubemap = sky.figure_field
 	_disk.brightness_ev = -36.0
@@ -160,14 +158,6 @@ func _change(node: Node, property: String, value: Variant, undo: Array[Callable]
 
 func _needs(table: Dictionary[String, Array], property: String) -> Dictionary:
 	return table[property][1] if table[property].size() > 1 else {}
-
-
-func _grey_cube() -> Cubemap:
-	var side := Image.create(4, 4, false, Image.FORMAT_RGBH)
-	side.fill(Color(0.5, 0.5, 0.5))
-	var cube := Cubemap.new()
-	cube.create_from_images([side, side, side, side, side, side])
-	return cube
 
 
 func _star_directions() -> PackedVector3Array:
