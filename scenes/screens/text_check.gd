@@ -64,7 +64,7 @@ static func contrast(control: Control, picture: Image) -> float:
 	var last := values.size() - 1
 	var ground := values[last >> 1] + 0.05
 	return maxf(
-		(values[int(0.98 * last)] + 0.05) / ground, ground / (values[int(0.02 * last)] + 0.05)
+		(values[int(0.99 * last)] + 0.05) / ground, ground / (values[int(0.01 * last)] + 0.05)
 	)
 
 
