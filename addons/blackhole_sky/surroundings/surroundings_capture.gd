@@ -10,9 +10,9 @@ extends Node
 ## away: whoever moves sees the room as from the hole's place, and the hole move before it.
 ## [br][br]
 ## What shall be captured has the render layers of [member cull_mask], the second one at first.
-## Leave these out of the cull masks of the cameras that look at the hole, or the room is drawn once
-## more as it is. Lights belong on these layers too: lamps shine for the cameras that see theirs. All
-## else stays an ordinary part of the scene, before the sky.
+## Leave these out of the cull masks of the cameras that look at the hole, or the room is drawn
+## once more as it is. Lights belong on these layers too: lamps shine for the cameras that see
+## theirs. All else stays an ordinary part of the scene, before the sky.
 ## [br][br]
 ## Views are linear light without tone mapping, which is left to the camera that looks at the sky:
 ## the room is as bright as it was, at [member BlackHoleSky.panorama_luminance] 1 and
