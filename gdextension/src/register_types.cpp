@@ -10,6 +10,7 @@
 #include "src/piloted_observer.h"
 #include "src/planck_texture.h"
 #include "src/radial_fall_path.h"
+#include "src/resource_formats.h"
 #include "src/sky_observer.h"
 #include "src/star_catalogue.h"
 
@@ -32,10 +33,12 @@ void initialize_blackhole_sky(godot::ModuleInitializationLevel level) {
 	GDREGISTER_CLASS(RadialFallPath);
 	GDREGISTER_CLASS(CircularOrbitPath);
 	GDREGISTER_CLASS(PilotedObserver);
+	register_resource_formats();
 }
 
 void uninitialize_blackhole_sky(godot::ModuleInitializationLevel level) {
 	if (level == godot::MODULE_INITIALIZATION_LEVEL_SCENE) {
+		unregister_resource_formats();
 		release_planck_texture();
 	}
 }

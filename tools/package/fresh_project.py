@@ -32,9 +32,6 @@ _ABORTED = 134
 _FIRST_TIME = re.compile(
     rf"exit status {_ABORTED}$|ERROR: (?:Error loading GDExtension configuration file|GDExtension dynamic library not found"
     r"|Error loading extension): 'res://addons/blackhole_sky/blackhole_sky\.gdextension'\.$"
-    # Its list of classes still has those that load and save the addon's files, until it has scanned the project.
-    r"|ERROR: (?:Attempt to open script|Failed loading resource:) '?res://addons/blackhole_sky/formats/\w+_(?:loader|saver)\.gd"
-    r"|ERROR: Condition \"res\.is_null\(\)\" is true\. Returning: false$"
 )
 
 

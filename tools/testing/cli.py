@@ -66,8 +66,8 @@ STAGES = [
         )
         for renderer in session.RENDERERS
     ),
-    Stage("commands", "./run as a visitor uses it", programs.commands_stage),
-    Stage("package", "the addon's zip in a new project, the demo exported", package_tests.stage),
+    Stage("commands", "./run as a visitor uses it", programs.commands_stage, beside=True),
+    Stage("package", "the addon's zip in a new project, the demo exported", package_tests.stage, beside=True),
     Stage("sanitized", "core, threads and the extension under the sanitizers (with --all)", sanitized.stage, long=True),
 ]
 

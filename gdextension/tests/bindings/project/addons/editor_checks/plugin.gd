@@ -5,7 +5,10 @@
 extends EditorPlugin
 
 const SCENE := "res://addons/editor_checks/probe_scene.tscn"
-const PATIENCE_MSEC := 20000
+## So long the editor may take for one thing on a busy machine, and after so long it is asked again: what is asked of
+## it while it starts may be forgotten.
+const PATIENCE_MSEC := 60000
+const ASKED_AGAIN_MSEC := 3000
 
 var _failures: PackedStringArray = []
 
@@ -17,8 +20,10 @@ func _enter_tree() -> void:
 func _run() -> void:
 	while EditorInterface.get_resource_filesystem().is_scanning():
 		await get_tree().process_frame
-	EditorInterface.open_scene_from_path(SCENE)
-	await _wait_for(func() -> bool: return EditorInterface.get_edited_scene_root() is ProbeNode)
+	await _wait_for(
+		func() -> bool: return EditorInterface.get_edited_scene_root() is ProbeNode,
+		func() -> void: EditorInterface.open_scene_from_path(SCENE)
+	)
 	var node := EditorInterface.get_edited_scene_root() as ProbeNode
 	if node == null:
 		_finish("the scene did not open")
@@ -40,8 +45,10 @@ func _check_warning(text: String, wanted: bool) -> void:
 
 
 func _check_help(text: String) -> void:
-	EditorInterface.get_script_editor().goto_help("class_name:ProbeNode")
-	await _wait_for(func() -> bool: return _help_shows(text))
+	await _wait_for(
+		func() -> bool: return _help_shows(text),
+		func() -> void: EditorInterface.get_script_editor().goto_help("class_name:ProbeNode")
+	)
 	if not _help_shows(text):
 		_failures.append('the class help does not show "%s"' % text)
 
@@ -88,9 +95,13 @@ func _dock_shows(text: String) -> bool:
 	return false
 
 
-func _wait_for(condition: Callable) -> void:
+func _wait_for(condition: Callable, ask: Callable = Callable()) -> void:
 	var begun := Time.get_ticks_msec()
+	var asked := -ASKED_AGAIN_MSEC
 	while not condition.call() and Time.get_ticks_msec() - begun < PATIENCE_MSEC:
+		if ask.is_valid() and Time.get_ticks_msec() - asked >= ASKED_AGAIN_MSEC:
+			ask.call()
+			asked = Time.get_ticks_msec()
 		await get_tree().process_frame
 
 
