@@ -11,7 +11,7 @@ const VISITS: Dictionary = {
 }
 const BEAT: Dictionary = {"beat": 7, "pid": 4711, "time": 1.7e9, "step": "VISIT", "visits_today": 3}
 const PLACE: Dictionary = {
-	"radius": 0.2, "hole": [0, 1.5, -2], "room": [1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0]
+	"radius": 0.4, "hole": [0, 1.5, -2], "room": [1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0]
 }
 
 
@@ -22,7 +22,9 @@ func _init() -> void:
 
 
 func seeds() -> Array[PackedByteArray]:
-	return [json(VISITS), json(BEAT), json(PLACE)]
+	# All in one is taken by each of the readers.
+	var all := VISITS.merged(BEAT).merged(PLACE)
+	return [json(VISITS), json(BEAT), json(PLACE), json(all)]
 
 
 func read(path: String) -> FuzzAnswer:
@@ -41,6 +43,7 @@ func read(path: String) -> FuzzAnswer:
 		answer.complaints.append("no heartbeat")
 	_put(folder.path_join("place.json"), bytes)
 	var sky := BlackHoleSky.new()
+	(Engine.get_main_loop() as SceneTree).root.add_child(sky)
 	var stands: Variant = VisitMemory.recall(sky, folder.path_join("place.json"))
 	if stands == null:
 		answer.complaints.append("no place")

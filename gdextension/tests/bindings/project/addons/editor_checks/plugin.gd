@@ -5,8 +5,8 @@
 extends EditorPlugin
 
 const SCENE := "res://addons/editor_checks/probe_scene.tscn"
-## So long the editor may take for one thing on a busy machine, and after so long it is asked again: what is asked of
-## it while it starts may be forgotten.
+## So long the editor may take for one thing on a busy machine, and after so long it is asked
+## again: what is asked of it while it starts may be forgotten.
 const PATIENCE_MSEC := 60000
 const ASKED_AGAIN_MSEC := 3000
 
