@@ -39,6 +39,7 @@ func _initialize() -> void:
 	var chosen := CommandLine.value(arguments, "--seed=")
 	_seed = chosen.to_int() if chosen.is_valid_int() else randi()
 	DirAccess.make_dir_recursive_absolute(_folder)
+	await process_frame  # nodes that a target makes are in the tree from now on
 	OS.add_logger(_errors)
 	var input := CommandLine.value(arguments, "--input=")
 	if not input.is_empty():
