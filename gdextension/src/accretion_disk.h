@@ -20,7 +20,7 @@ class AccretionDisk : public godot::Node3D {
 	GDCLASS(AccretionDisk, godot::Node3D)
 
 public:
-	enum Look {
+	enum Look : int {
 		LOOK_PHYSICAL = DiskSettings::kPhysical,
 		LOOK_TURBULENT = DiskSettings::kTurbulent,
 		LOOK_CHECKERBOARD = DiskSettings::kCheckerboard,

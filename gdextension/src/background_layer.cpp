@@ -8,6 +8,7 @@
 
 #include "src/black_hole_sky.h"
 #include "src/draw_order.h"
+#include "src/empty_cubemap.h"
 
 using namespace godot;
 
@@ -67,6 +68,8 @@ void BackgroundLayer::ensure() {
 	triangle.make(kBackgroundPriority);
 	dressed = false;
 	triangle.set_parameter("_panorama_is_light", true);
+	triangle.set_parameter("_figure_field", empty_cubemap());
+	triangle.set_parameter("_cubemap", empty_cubemap());
 	show();
 }
 
@@ -98,7 +101,7 @@ void BackgroundLayer::set_tables(
 
 void BackgroundLayer::set_figure_field(const RID &cube_map) {
 	ensure();
-	triangle.set_parameter("_figure_field", cube_map);
+	triangle.set_parameter("_figure_field", cube_map.is_valid() ? cube_map : empty_cubemap());
 }
 
 void BackgroundLayer::set_panorama_is_light(bool is_light) {
@@ -119,7 +122,7 @@ void BackgroundLayer::set_source(int kind, const BackgroundPictures &pictures, d
 	panorama_luminance = luminance;
 	triangle.set_parameter("_background", kind);
 	triangle.set_parameter("_panorama", pictures.panorama);
-	triangle.set_parameter("_cubemap", pictures.cubemap);
+	triangle.set_parameter("_cubemap", pictures.cubemap.is_valid() ? pictures.cubemap : empty_cubemap());
 	triangle.set_parameter("_surroundings", pictures.surroundings);
 	triangle.set_parameter(
 			"_picture_is_srgb", arrives_as_srgb(RenderingServer::get_singleton(), kind, pictures));

@@ -32,7 +32,7 @@ class BlackHoleSky : public godot::Node3D {
 
 public:
 	/// Effects that can be switched off alone: the bits of effects.gdshaderinc.
-	enum Effect {
+	enum Effect : int {
 		EFFECT_DEFLECTION = 1,
 		EFFECT_ABERRATION = 2,
 		EFFECT_GRAVITATIONAL_SHIFT = 4,
@@ -40,7 +40,7 @@ public:
 		EFFECT_MAGNIFICATION = 16,
 	};
 	/// Lines over the sky: the bits of overlays.gdshaderinc.
-	enum Overlay {
+	enum Overlay : int {
 		OVERLAY_CONSTELLATIONS = 1,
 		OVERLAY_EQUATORIAL_GRID = 2,
 		OVERLAY_GALACTIC_GRID = 4,
@@ -51,7 +51,7 @@ public:
 		OVERLAY_STRAIGHT_LIGHT = 128,
 	};
 	/// How directions are laid out on the picture: the numbers of map_projection.gdshaderinc.
-	enum Projection {
+	enum Projection : int {
 		PROJECTION_PERSPECTIVE = 0,
 		PROJECTION_EQUIRECTANGULAR = 1,
 		PROJECTION_MERCATOR = 2,
@@ -61,9 +61,9 @@ public:
 		PROJECTION_FISHEYE_360 = 6,
 	};
 	/// How the light of a star spreads.
-	enum PointSpreadModel { PSF_GAUSSIAN = 0, PSF_AIRY = 1, PSF_EYE = 2 };
+	enum PointSpreadModel : int { PSF_GAUSSIAN = 0, PSF_AIRY = 1, PSF_EYE = 2 };
 	/// What lies behind the stars: the numbers of background.gdshaderinc.
-	enum Background {
+	enum Background : int {
 		BACKGROUND_NONE = 0,
 		BACKGROUND_GRID = 1,
 		BACKGROUND_PANORAMA = 2,

@@ -48,7 +48,7 @@ protected:
 
 public:
 	/// How observers move. The last three need more to be known: see SkyObserver.
-	enum Motion {
+	enum Motion : int {
 		MOTION_STATIC = 0,
 		MOTION_RAIN = 1,
 		MOTION_INFALL = 2,

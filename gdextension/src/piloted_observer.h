@@ -26,7 +26,7 @@ protected:
 
 public:
 	/// blackhole::WorldLineEnd for scripts.
-	enum Progress {
+	enum Progress : int {
 		PROGRESS_ON_THE_WAY = 0,
 		PROGRESS_CENTRE = 1,
 		PROGRESS_TOO_FAST = 2,

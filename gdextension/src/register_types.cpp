@@ -5,6 +5,7 @@
 #include "src/black_body.h"
 #include "src/black_hole_sky.h"
 #include "src/circular_orbit_path.h"
+#include "src/empty_cubemap.h"
 #include "src/figure_field.h"
 #include "src/lensing_table.h"
 #include "src/piloted_observer.h"
@@ -40,6 +41,7 @@ void uninitialize_blackhole_sky(godot::ModuleInitializationLevel level) {
 	if (level == godot::MODULE_INITIALIZATION_LEVEL_SCENE) {
 		unregister_resource_formats();
 		release_planck_texture();
+		release_empty_cubemap();
 	}
 }
 

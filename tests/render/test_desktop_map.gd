@@ -6,7 +6,7 @@ const SCENE: PackedScene = preload("res://scenes/desktop/desktop.tscn")
 
 @warning_ignore("untyped_declaration")
 func should_skip_script():
-	return RendererScope.mobile_alone()
+	return RendererScope.without_forward_plus()
 
 
 func test_the_map_shows_hole_and_sky_as_bright_as_they_are() -> void:

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import csv
 import re
+import statistics
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -86,3 +87,15 @@ def slope(samples: Sequence[tuple[float, float]]) -> float:
     spread = sum((t - mean_t) ** 2 for t, _ in samples)
     together = sum((t - mean_t) * (m - mean_m) for t, m in samples)
     return 60.0 * together / spread if spread > 0.0 else 0.0
+
+
+def usual_growth(samples: Sequence[tuple[float, float]]) -> float:
+    """The median of what the memory grows in a minute, megabytes: what leaks with each visit grows in every minute, while
+    a driver takes its share in single steps, when it makes a shader ready that was not shown before."""
+    growths = []
+    start = 0
+    for at, (seconds, memory) in enumerate(samples):
+        if seconds - samples[start][0] >= 60.0:
+            growths.append(memory - samples[start][1])
+            start = at
+    return statistics.median(growths) if growths else 0.0

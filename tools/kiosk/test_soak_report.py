@@ -64,6 +64,12 @@ class Memory(unittest.TestCase):
         self.assertEqual(soak_report.slope([(1.0, 5.0), (1.0, 7.0)]), 0.0)
         self.assertAlmostEqual(soak_report.slope([(t, 300.0 + t / 30.0) for t in range(100)]), 2.0)
 
+    def test_usual_growth(self) -> None:
+        self.assertEqual(soak_report.usual_growth([(0.0, 5.0), (59.0, 50.0)]), 0.0)
+        self.assertAlmostEqual(soak_report.usual_growth([(t, 300.0 + t / 30.0) for t in range(601)]), 2.0)
+        one_step = [(t, 324.0 if t > 400 else 300.0) for t in range(601)]
+        self.assertEqual(soak_report.usual_growth(one_step), 0.0)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -71,7 +71,7 @@ func _use_catalogue() -> StarCatalogue:
 	var catalogue := StarCatalogue.new()
 	assert(catalogue.load_file(DATA + "hipparcos.stars") == OK)
 	for wrong: String in [
-		DATA + "schwarzschild.lut", DATA + "star_names.csv", "res://nowhere.csv", ""
+		DATA + "schwarzschild.lut", DATA + "constellations.json", "res://nowhere.csv", ""
 	]:
 		catalogue.load_file(wrong)
 	for index in [-1, 0, 5, 1 << 30]:
