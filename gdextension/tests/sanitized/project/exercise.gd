@@ -98,7 +98,7 @@ func _use_class(cls: String, table: LensingTable, catalogue: StarCatalogue) -> v
 		await process_frame
 	var sky := object as BlackHoleSky
 	if sky != null:
-		sky.lensing_table = table
+		sky.table = table
 		sky.catalogue = catalogue
 		await process_frame
 	for property in ClassDB.class_get_property_list(cls, true):
