@@ -2,9 +2,9 @@
 extends XrTestCase
 ## A long visit in which everything is used: walking, turning, jumps, menu, cards, rides, hands that
 ## come and go. Nothing is printed as an error, and memory stays where it was after the first round.
-## 200 frames; 10,000 with ./test --all.
+## 600 frames; 10,000 with ./test --all.
 
-const FEW: int = 200
+const FEW: int = 600
 const MANY: int = 10000
 ## Frames of one round through all that there is.
 const ROUND: int = 100
