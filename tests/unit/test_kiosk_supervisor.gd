@@ -170,3 +170,19 @@ func test_statuses_have_names_of_their_own() -> void:
 	for status: int in [0, 75, 76, 77, 78, 79, 139]:
 		names[ExitStatus.describe(status, true)] = true
 	assert_eq(names.size(), 7)
+
+
+func test_a_program_is_told_how_to_ask_for_memory_where_its_operator_has_not() -> void:
+	var variables := SteadyMemory.VARIABLES.keys()
+	var kept := variables.map(OS.get_environment)
+	OS.set_environment("MALLOC_MMAP_THRESHOLD_", "1")
+	OS.unset_environment("MALLOC_TRIM_THRESHOLD_")
+	SteadyMemory.prepare()
+	assert_eq(OS.get_environment("MALLOC_MMAP_THRESHOLD_"), "1", "the operator's own")
+	var told := OS.get_environment("MALLOC_TRIM_THRESHOLD_").to_int()
+	assert_eq(told > 0, OS.has_feature("linux"))
+	for i in variables.size():
+		if kept[i].is_empty():
+			OS.unset_environment(variables[i])
+		else:
+			OS.set_environment(variables[i], kept[i])

@@ -36,6 +36,7 @@ class Stage:
     run: Callable[[Context], list[Case]]
     long: bool = False  # only where it is named, and with --all
     beside: bool = False  # may run at the same time as its neighbours of this kind, on a machine made ready
+    waits: bool = False  # leaves the processors to others most of the time, so it takes the place of none
 
 
 def _set_up(context: Context) -> list[Case]:
@@ -54,7 +55,10 @@ STAGES = [
     Stage("scripts", "scripts, scenes and shaders load without a warning", scripts.scripts_stage),
     # First of those beside each other: it takes long and leaves the processors idle between its pictures.
     Stage("xr", "the headset scene on a simulated headset", xr_tests.stage, beside=True),
-    Stage("kiosk", "the exhibit with simulated visitors, killed, hung, its disk full", kiosk_tests.stage, beside=True),
+    Stage(
+        "kiosk", "the exhibit with simulated visitors, killed, hung, its disk full", kiosk_tests.stage,
+        beside=True, waits=True,
+    ),
     Stage("editor", "the addon in the editor itself, and the class reference", editor_tests.stage, beside=True),
     Stage("provider", "the binding provider under the address sanitizer", programs.provider_stage, beside=True),
     Stage("python", "unit tests of the tools", programs.python_stage, beside=True),
@@ -68,7 +72,10 @@ STAGES = [
     ),
     Stage("commands", "./run as a visitor uses it", programs.commands_stage, beside=True),
     Stage("package", "the addon's zip in a new project, the demo exported", package_tests.stage, beside=True),
-    Stage("sanitized", "core, threads and the extension under the sanitizers (with --all)", sanitized.stage, long=True),
+    Stage(
+        "sanitized", "core, threads and the extension under the sanitizers (with --all)", sanitized.stage,
+        long=True, beside=True,
+    ),
 ]
 
 
@@ -132,9 +139,10 @@ def _run_all(stages: Iterable[Stage], context: Context) -> dict[str, tuple[float
         neighbours = list(group)
         if beside and len(neighbours) > 1:
             _prepare(context)
-            with ThreadPoolExecutor(min(os.cpu_count() or 1, _MOST_SIDE_BY_SIDE)) as pool:
-                done = pool.map(lambda stage: _run(stage, context), neighbours)
-                results.update(zip((stage.name for stage in neighbours), done, strict=True))
+            workers = min(os.cpu_count() or 1, _MOST_SIDE_BY_SIDE)
+            with ThreadPoolExecutor(workers) as busy, ThreadPoolExecutor(1) as waiting:
+                done = [(waiting if stage.waits else busy).submit(_run, stage, context) for stage in neighbours]
+                results.update((stage.name, one.result()) for stage, one in zip(neighbours, done, strict=True))
         else:
             results.update((stage.name, _run(stage, context)) for stage in neighbours)
     return results

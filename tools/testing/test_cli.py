@@ -61,6 +61,17 @@ class Main(unittest.TestCase):
             self.assertEqual(self._run(*stages), (0, "2 passed, 0 failed"))
         self.assertEqual(set(self.results), {"one", "other"})
 
+    def test_one_that_mostly_waits_takes_the_place_of_none(self) -> None:
+        all_here = threading.Barrier(3, timeout=20.0)
+
+        def meet(_context: Context) -> list[Case]:
+            all_here.wait()
+            return [Case("met")]
+
+        stages = [Stage(name, "", meet, beside=True, waits=name == "waiting") for name in ("one", "waiting", "other")]
+        with mock.patch.object(cli, "_prepare"), mock.patch.object(cli.os, "cpu_count", return_value=2):
+            self.assertEqual(self._run(*stages), (0, "3 passed, 0 failed"))
+
     def test_of_a_long_failure_both_ends_are_shown(self) -> None:
         lines = cli.shortened("\n".join(str(number) for number in range(100)), "a.xml").split("\n")
         self.assertEqual((lines[0], lines[6], lines[-1]), ("    0", "    ... 80 more lines in a.xml ...", "    99"))

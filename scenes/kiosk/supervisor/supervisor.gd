@@ -36,6 +36,7 @@ func _ready() -> void:
 	_policy.well_seconds = _config.number("well_seconds")
 	_note("supervisor %s; settings from %s" % [ProgramVersion.text(), _config.path])
 	OS.set_environment(Supervision.VARIABLE, "1")
+	SteadyMemory.prepare()
 	set_process(false)
 	await _end_leftover()
 	set_process(true)
