@@ -34,7 +34,7 @@ _USER_DATA = Path("godot") / "app_userdata" / "Black Hole Sky"
 _COMES_BACK_S = 100.0  # the supervisor waits up to a minute
 # After so long a program has its memory: drivers make shaders ready when something is shown for the first time.
 _WARM_S = 300.0
-_MOST_USUAL_GROWTH, _MOST_GROWTH = 0.5, 5.0  # megabytes a minute: in most minutes, and over all of them
+_MOST_USUAL_GROWTH, _MOST_GROWTH = 0.5, 1.0  # megabytes a minute: in most minutes, and over all of them
 _LONG_S = 300.0
 
 

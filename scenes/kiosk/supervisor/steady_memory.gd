@@ -6,13 +6,16 @@ extends RefCounted
 ##
 ## The C library of Linux takes large pieces for themselves, but raises what it calls large to the
 ## size of any that is given back. From then on textures and scenes of tens of megabytes lie between
-## small pieces that outlive them, and the program keeps the gaps: it grows by a step whenever none
-## of them happens to fit. With a limit that is set it does not raise it.
+## small pieces that outlive them, and the program keeps the gaps. It also keeps a heap for each
+## thread, and each remembers the most that was ever needed in it, as when the graphics driver
+## compiles a shader: some tens of megabytes, once for every thread that happens to be the one. So
+## the limits are set, and the gaps of one heap serve all threads.
 
-## What the C library reads, and pieces of so many bytes (mallopt(3)).
+## What the C library reads (mallopt(3)): bytes, and a number of heaps.
 const VARIABLES: Dictionary[String, String] = {
 	"MALLOC_MMAP_THRESHOLD_": "262144",
 	"MALLOC_TRIM_THRESHOLD_": "1048576",
+	"MALLOC_ARENA_MAX": "1",
 }
 
 
