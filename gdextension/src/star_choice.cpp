@@ -21,7 +21,8 @@ constexpr double kLargestReserve = 0.2; // rad
 /// Part of its distance from the hole, or from the horizon, by which an eye may come nearer or go away. The
 /// brightness of images goes with the square of the distance or, where they crowd, with a lower power.
 constexpr double kRadialReserve = 0.003;
-constexpr double kRadialGain = 0.02; // magnitudes, for that
+constexpr double kRadialGain = 0.02;  // magnitudes, for that
+constexpr double kRadialShift = 0.01; // rad, by which it moves images at most
 
 /// The observer in the axes of the star groups.
 blackhole::ObserverField sky_axes(const SkySettings &settings) {
@@ -43,7 +44,8 @@ glm::dvec3 offset_of(const WatchingEye &eye, const SkySettings &settings) {
 }
 
 bool has_equal_lens(const WatchingEye &a, const WatchingEye &b) {
-	return a.axis_gain == b.axis_gain && a.corner_cosine == b.corner_cosine && a.wobble == b.wobble;
+	return a.axis_gain == b.axis_gain && a.corner_cosine == b.corner_cosine && a.wobble == b.wobble &&
+			a.everywhere == b.everywhere;
 }
 
 /// How an eye has moved between two frames.
@@ -84,8 +86,10 @@ StarChoice::View StarChoice::view_of(const WatchingEye &eye, int order, const Sk
 	// A boost carries images elsewhere in the picture: then every place in it counts.
 	const PixelGain gain = eye.pixel_gain(inward);
 	const double farther = boosted ? kTwoPi : reserve.aim;
-	View view{blackhole::ImageBound(
-			observer, order, tables, [&gain, farther](double xi) { return gain(xi + farther); })};
+	const double edge = farther + kRadialShift + StarLayer::largest_reach(settings) * eye.pixel_angle();
+	View view{blackhole::ImageBound(observer, order, tables, [&gain, farther, edge](double from, double to) {
+		return gain.shows(from - edge, to + edge) ? gain(to + farther) : 0.0;
+	})};
 	const double peak_gain = blackhole::kStarGain * settings.exposure /
 			(kTwoPi * settings.psf_sigma * settings.psf_sigma * StarLayer::faint_limit(settings, order));
 	view.limit = 2.5 * std::log10(peak_gain) + (reserve == Reserve() ? 0.0 : kRadialGain);
@@ -164,7 +168,7 @@ void StarChoice::choose(std::size_t part, StarLayer &layer, const SkySettings &s
 	const std::size_t per_order = parts_per_order(settings);
 	const std::size_t order = part / per_order;
 	const Views &looked = views.at(order);
-	// Most direct images can be seen as a rule: then the groups need not be asked one by one.
+	// Where all directions can be seen, most direct images are as a rule: then the groups need not be asked.
 	const bool all = !is_bounded(settings) ||
 			std::any_of(looked.of_eyes.begin(), looked.of_eyes.end(), [&layer](const View &view) {
 				return view.limit + view.bound.least_brightening() >= layer.faintest();

@@ -27,6 +27,9 @@ constexpr int kMapCopies = 3;                                      // the sprite
 constexpr float kFaintestRank = std::numeric_limits<float>::max(); // of which one can ask
 /// Of images of order 1 and above: 8 x 5e-5 is still within the first step of an 8-bit sRGB picture.
 constexpr double kHigherOrderFaintness = 8.0;
+/// LARGEST_SPRITE and LARGEST_PROFILE of star_layer.gdshaderinc.
+constexpr double kLargestSprite = 5.3;
+constexpr double kLargestProfile = 256.0;
 constexpr std::size_t kHigherOrders = StarLayer::kMaxOrders - 1;
 /// Rows that the second and further images should hold together, as a part of the stars: 14.4 bytes a star.
 /// Catalogues whose rows are fewer than these all in all (12 MB) need not be thrifty, so that their buffers
@@ -354,6 +357,11 @@ void StarLayer::set_faintest(int order, std::size_t group, double rank, bool mov
 	if (loose || limit < enough.from || limit >= enough.to) {
 		draw(group, order, rank, moving);
 	}
+}
+
+double StarLayer::largest_reach(const SkySettings &settings) {
+	const bool gaussian = settings.psf_model == blackhole::PointSpread::kGaussian;
+	return gaussian ? kLargestSprite * settings.psf_sigma : kLargestProfile;
 }
 
 double StarLayer::faint_limit(const SkySettings &settings, int order) {

@@ -51,6 +51,9 @@ public:
 	/// Bytes of graphics memory that the stars of all orders take.
 	int64_t buffer_bytes() const;
 
+	/// No star's sprite reaches farther from its centre, pixels.
+	static double largest_reach(const SkySettings &settings);
+
 	/// Peak luminance below which images of this order are not drawn. The many higher images that alone would
 	/// not change an 8-bit picture are not worth their cost: there the limit is one step of such a
 	/// picture.

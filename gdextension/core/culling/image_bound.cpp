@@ -89,7 +89,7 @@ LocalObserver drawn_observer(const glm::dvec3 &position, const ObserverField &ob
 }
 
 ImageBound::ImageBound(const LocalObserver &eye, int order, const LensingTables &tables,
-		const std::function<double(double)> &gain)
+		const std::function<double(double, double)> &gain)
 		: outward(eye.outward) {
 	using Ends = BinEnds<kBins + 1>;
 	static const std::array<Ends, 4> kOfOrders = {Ends(0), Ends(1), Ends(2), Ends(3)};
@@ -122,8 +122,10 @@ ImageBound::ImageBound(const LocalObserver &eye, int order, const LensingTables 
 			magnification = order == 0 ? std::max(spread[i] / sine[i], spread[i + 1] / sine[i + 1])
 									   : std::max(spread[i], spread[i + 1]) / least_sine;
 		}
-		log_magnification[i] =
-				std::log2(kReserve * magnification * gain(xi_to) / (least_doppler * least_doppler));
+		const double brighter = gain(xi_from, xi_to);
+		log_magnification[i] = brighter > 0.0
+				? std::log2(kReserve * magnification * brighter / (least_doppler * least_doppler))
+				: -kInfinity;
 		log_redshift[i] = std::log(std::max(redshift[i], redshift[i + 1]) * doppler.largest(xi_from, xi_to));
 		never_redshifted = never_redshifted && std::min(redshift[i], redshift[i + 1]) * least_doppler >= 1.0;
 	}
@@ -145,8 +147,13 @@ double ImageBound::brightening(const StarGroup &group, double slack) const {
 	double magnification = -kInfinity;
 	double redshift = -kInfinity;
 	for (std::size_t i = std::min(first, kBins - 1); i < end; ++i) {
-		magnification = std::max(magnification, log_magnification[i]);
-		redshift = std::max(redshift, log_redshift[i]);
+		if (log_magnification[i] > -kInfinity) {
+			magnification = std::max(magnification, log_magnification[i]);
+			redshift = std::max(redshift, log_redshift[i]);
+		}
+	}
+	if (magnification == -kInfinity) {
+		return -kInfinity;
 	}
 	return kMagnitudesPerLog2 * (magnification + group.shift.log2_gain(redshift));
 }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <random>
 #include <string>
@@ -66,7 +67,7 @@ TEST_P(ImageBoundTest, IsNeverShortOfTheExactBrightness) {
 		const glm::dvec3 position = direction() * std::exp(uniform(lowest, std::log(1e6)));
 		const LocalObserver eye = drawn_observer(position, GetParam());
 		const int order = place % 4;
-		const ImageBound image_bound(eye, order, tables, [](double) { return 1.0; });
+		const ImageBound image_bound(eye, order, tables, [](double, double) { return 1.0; });
 		for (int trial = 0; trial < 80; ++trial) {
 			const double coolest = uniform(2500.0, 6000.0);
 			const double hottest = uniform(6000.0, 40000.0);
@@ -109,8 +110,8 @@ TEST_P(RadialImageBoundTest, CountsWhereInThePictureImagesAre) {
 	const LensingTables tables = bake_lensing_tables();
 	const LocalObserver eye = drawn_observer(glm::dvec3(0.0, 0.0, 10.0), GetParam());
 	double farthest = 0.0;
-	const ImageBound bound(eye, 1, tables, [&farthest](double xi) {
-		farthest = std::max(farthest, xi);
+	const ImageBound bound(eye, 1, tables, [&farthest](double, double to) {
+		farthest = std::max(farthest, to);
 		return 1.0;
 	});
 	// Order 1 lies inside the Einstein ring, whose size the kappa of the motion scales.
@@ -122,9 +123,47 @@ TEST_P(RadialImageBoundTest, CountsWhereInThePictureImagesAre) {
 	group.centre = glm::dvec3(1.0, 0.0, 0.0);
 	group.angular_radius = 0.1;
 	group.shift = ShiftBound(5000.0, 6000.0, PlanckTable());
-	const ImageBound brighter(eye, 1, tables, [](double) { return 10.0; });
+	const ImageBound brighter(eye, 1, tables, [](double, double) { return 10.0; });
 	EXPECT_NEAR(brighter.brightening(group, 0.0) - bound.brightening(group, 0.0), 2.5, 1e-9);
 	EXPECT_GT(bound.brightening(group, 0.2), bound.brightening(group, 0.0));
+}
+
+TEST_P(RadialImageBoundTest, LeavesOutWhatIsNotInThePicture) {
+	const LensingTables tables = bake_lensing_tables();
+	const ShiftBound shift(5000.0, 6000.0, PlanckTable());
+	std::mt19937_64 random{5};
+	std::normal_distribution<double> normal;
+	const auto direction = [&] {
+		return glm::normalize(glm::dvec3(normal(random), normal(random), normal(random)));
+	};
+	constexpr double kFrom = 0.45;
+	constexpr double kTo = 0.8;
+	int left_out = 0;
+	int seen = 0;
+	for (int order = 0; order < 2; ++order) {
+		const glm::dvec3 position(0.0, 4.8, 3.6);
+		const LocalObserver eye = drawn_observer(position, GetParam());
+		const ImageBound bound(eye, order, tables,
+				[](double from, double to) { return to >= kFrom && from <= kTo ? 1.0 : 0.0; });
+		for (int trial = 0; trial < 500; ++trial) {
+			StarGroup group;
+			group.centre = direction();
+			group.angular_radius = 0.1;
+			group.shift = shift;
+			const bool drawn = bound.brightening(group, 0.0) > -std::numeric_limits<double>::infinity();
+			left_out += drawn ? 0 : 1;
+			const glm::dvec3 star = glm::normalize(group.centre + 0.09 * direction());
+			const Outcome<StarImage> image = star_image(position, star, order, ObserverField(GetParam()));
+			ASSERT_TRUE(image) << image.error;
+			if (const double xi = image.value->xi; xi > kFrom && xi < kTo) {
+				++seen;
+				EXPECT_TRUE(drawn) << "order " << order << " xi " << xi;
+			}
+		}
+		EXPECT_EQ(bound.least_brightening(), -std::numeric_limits<double>::infinity());
+	}
+	EXPECT_GT(seen, 50);
+	EXPECT_GT(left_out, 250);
 }
 
 TEST(DrawnObserver, IsTheNearestThereIs) {
