@@ -42,14 +42,14 @@ func test_a_camera_that_turns_and_moves() -> void:
 			var look := Transform3D(Basis.IDENTITY, place).looking_at(Vector3.ZERO)
 			var turn := Basis(Vector3.UP, from + 0.09 * step) * Basis(Vector3.BACK, 0.2 * step)
 			_place(look * Transform3D(turn, Vector3.ZERO))
-			await _compare("%s, step %d" % [from, step], step == STEPS - 1)
+			await _judge("%s, step %d" % [from, step], step == STEPS - 1)
 
 
 func test_after_a_jump() -> void:
 	for turn: float in [0.0, 2.0, -0.7, 1.5]:
 		var look := Transform3D(Basis.IDENTITY, 12.0 * OUTWARD).looking_at(Vector3.ZERO)
 		_place(look * Transform3D(Basis(Vector3.RIGHT, turn), Vector3.ZERO))
-		await _compare("turned by %s" % turn)
+		await _judge("turned by %s" % turn)
 
 
 func test_lenses() -> void:
@@ -65,7 +65,7 @@ func test_lenses() -> void:
 	for lens: String in lenses:
 		for booth: SkyBooth in [_booth, _whole]:
 			lenses[lens].call(booth.camera)
-		await _compare(lens)
+		await _judge(lens)
 
 
 func test_glare_reaches_into_the_picture() -> void:
@@ -75,7 +75,7 @@ func test_glare_reaches_into_the_picture() -> void:
 	var look := Transform3D(Basis.IDENTITY, 9.0 * OUTWARD).looking_at(Vector3.ZERO)
 	for turn: float in [0.4, 1.1]:
 		_place(look * Transform3D(Basis(Vector3.UP, turn), Vector3.ZERO))
-		await _compare("turned by %s" % turn)
+		await _judge("turned by %s" % turn)
 
 
 func test_moving_observers() -> void:
@@ -85,7 +85,7 @@ func test_moving_observers() -> void:
 		var look := Transform3D(Basis.IDENTITY, 3.0 * OUTWARD).looking_at(Vector3.ZERO)
 		for turn: float in [0.0, 1.6]:
 			_place(look * Transform3D(Basis(Vector3.UP, turn), Vector3.ZERO))
-			await _compare("motion %d, turned by %s" % [motion, turn])
+			await _judge("motion %d, turned by %s" % [motion, turn])
 
 
 func _place(camera: Transform3D) -> void:
@@ -94,7 +94,7 @@ func _place(camera: Transform3D) -> void:
 
 
 # Pictures of the same next frame; `judged`: else they are only drawn.
-func _compare(what: String, judged: bool = true) -> void:
+func _judge(what: String, judged: bool = true) -> void:
 	for booth: SkyBooth in [_booth, _whole]:
 		booth.viewport.render_target_update_mode = SubViewport.UPDATE_ONCE
 	await RenderingServer.frame_post_draw
